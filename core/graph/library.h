@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "graph/motion_graph.h"
+#include "math/floor_transform.h"
+#include "motion/bvh_layout.h"
+#include "motion/clip.h"
+
+namespace stridegraph {
+
+/// How a library is built from clips.
+struct LibraryParams {
+  double thresholdMetres = 0.05;        ///< tau of section 5.3.2, > 0: largest distance along a transition.
+  std::uint32_t transitionFrames = 13;  ///< l of section 5.3.2, 2..120 (thesis: 13).
+  double framesPerSecond = 30.0;        ///< Rate of the whole library, 1..240.
+  bool mirror = false;                  ///< Also every clip with left and right swapped.
+};
+
+/// Which foot joints touch the floor, a bit for each entry of MotionLibrary::contactJoints.
+using ContactMask = std::uint8_t;
+
+/// Where a clip of a library lies among its frames.
+struct LibraryClip {
+  std::string name;
+  std::uint32_t firstFrame = 0;
+  std::uint32_t frameCount = 0;
+  bool mirrored = false;
+};
+
+/// Everything that a walk is made of: captured frames of one skeleton and the graph that connects them.
+/// Immutable once built or loaded.
+struct MotionLibrary {
+  Skeleton skeleton;
+  BvhLayout layout;  ///< How its walks are written as BVH.
+  Clip frames;       ///< All clips one after the other; every number is exactly a 32 bit float.
+  std::vector<LibraryClip> clips;
+  MotionGraph graph;  ///< Pruned: one strongly connected part.
+
+  Heading facingOffset;  ///< Root heading less direction of travel; facing = root heading - facingOffset.
+  std::vector<JointIndex> contactJoints;  ///< Ankles and toes; at most 8.
+  std::vector<ContactMask> contacts;      ///< One for each frame.
+  double floorHeightMetres = 0.0;         ///< Lowest level that the feet keep to.
+
+  LibraryParams params;
+  std::string license;     ///< A line on where the clips come from and on what terms; may be empty.
+  std::uint64_t hash = 0;  ///< Of its .sgraph bytes; the same library has the same hash everywhere.
+
+  /// Where the body stands and looks at a frame: floor point of the root, and facing (heading -
+  /// facingOffset).
+  FloorTransform placementAt(FrameIndex frame) const;
+  /// The clip that a frame belongs to.
+  const LibraryClip& clipOf(FrameIndex frame) const;
+};
+
+}  // namespace stridegraph

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "math/angle.h"
+#include "math/types.h"
+
+namespace stridegraph {
+
+/// A heading as a unit vector (sin, cos) of the angle from +z towards +x: the direction faced on the floor.
+/// Composing headings this way needs no trigonometry, so that long sums stay the same, bit for bit, on every
+/// machine.
+struct Heading {
+  double sin = 0.0;
+  double cos = 1.0;
+
+  /// Computed by a fixed series, not by the platform's libm, so that it is the same everywhere.
+  static Heading fromAngle(Angle angle);
+  /// The heading of a floor direction; {0, 1} for a zero vector.
+  static Heading alongDirection(const Vec2& direction);
+
+  Angle angle() const;
+  /// The unit floor vector (x, z) that this heading faces.
+  Vec2 direction() const { return {sin, cos}; }
+  /// This heading turned further by `turn`.
+  Heading operator+(const Heading& turn) const;
+  /// The turn that leads from `other` to this heading.
+  Heading operator-(const Heading& other) const;
+  /// A floor vector turned by this heading about +y.
+  Vec2 rotate(const Vec2& v) const { return {v.x() * cos + v.y() * sin, v.y() * cos - v.x() * sin}; }
+  /// The same rotation in space: R_y of eq. 3.5.
+  Quat rotation() const;
+};
+
+/// The heading `fraction` of the way from one to the other along the shorter arc, by normalised linear
+/// interpolation: within 2e-4 rad of the arc's own division for turns below 0.2 rad.
+Heading blend(const Heading& from, const Heading& to, double fraction);
+
+/// A rigid motion of the floor, T_xz(translation) R_y(heading) of eq. 3.2: turn first, then move.
+struct FloorTransform {
+  Vec2 translation = Vec2::Zero();
+  Heading heading = {};
+
+  Vec2 operator*(const Vec2& point) const { return translation + heading.rotate(point); }
+  /// First `inner`, then this.
+  FloorTransform operator*(const FloorTransform& inner) const;
+  FloorTransform inverse() const;
+  /// Moves a point in space; its height stays.
+  Vec3 apply(const Vec3& point) const;
+};
+
+}  // namespace stridegraph

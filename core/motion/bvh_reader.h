@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "base/result.h"
+#include "motion/bvh_layout.h"
+#include "motion/clip.h"
+
+namespace stridegraph {
+
+/// How to understand a file's numbers; what is empty is inferred and reported as a warning where it is odd.
+struct BvhReadParams {
+  std::optional<double> unitsPerMetre;  ///< > 0. Inferred from the skeleton's height.
+  std::optional<UpAxis> up;             ///< Inferred from where the body extends.
+};
+
+/// A BVH file, understood: metres, y up, rotations as quaternions.
+struct BvhDocument {
+  Skeleton skeleton;
+  BvhLayout layout;
+  Clip clip;
+  Warnings warnings;
+};
+
+/// Reads a BVH text. `name` becomes the clip's name and the file in messages. Position channels replace a
+/// joint's OFFSET; where a joint below the root really moves against its parent, its mean offset is taken,
+/// with a warning. Fails with kBvhSyntax or kBvhValue and the place: line and column of what was found, and
+/// what was expected.
+Result<BvhDocument> readBvh(std::string_view text, std::string_view name, const BvhReadParams& params = {});
+
+}  // namespace stridegraph

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <vector>
+
+#include "math/types.h"
+#include "scene/scene.h"
+
+namespace stridegraph {
+
+/// The room as a disc of one radius sees it: everything that stands still, exactly (disc against rectangles
+/// and against the room's four walls). A position is free when the disc there touches nothing by more than
+/// kTouchToleranceMetres.
+class FloorPlan {
+ public:
+  static constexpr double kTouchToleranceMetres = 1e-6;
+
+  FloorPlan(const Scene& scene, double radiusMetres);
+
+  double widthMetres() const { return widthMetres_; }
+  double depthMetres() const { return depthMetres_; }
+  double radiusMetres() const { return radiusMetres_; }
+  const std::vector<Rectangle>& obstacles() const { return obstacles_; }
+
+  /// Distance of a point to the nearest rectangle or wall, metres; negative inside a rectangle or outside the
+  /// room.
+  double distanceToNearest(const Vec2& point) const;
+  /// Distance of the disc's rim to the nearest thing: distanceToNearest - radius.
+  double clearance(const Vec2& point) const { return distanceToNearest(point) - radiusMetres_; }
+  /// Whether the disc may stand there.
+  bool isFree(const Vec2& point) const;
+  /// Whether the disc may move from one point to the other in a straight line, ends included.
+  bool isFree(const Vec2& from, const Vec2& to) const;
+
+ private:
+  double widthMetres_;
+  double depthMetres_;
+  double radiusMetres_;
+  std::vector<Rectangle> obstacles_;
+};
+
+}  // namespace stridegraph

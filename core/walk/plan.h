@@ -1,0 +1,86 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "base/clock.h"
+#include "base/result.h"
+#include "graph/library.h"
+#include "motion/clip.h"
+#include "scene/scene.h"
+
+namespace stridegraph {
+
+enum class PlannerKind { kPrm, kRrtConnect };
+enum class SearchKind { kGuided, kThesis };
+
+/// How a plan ended. Names in reports are planStatusName()'s: "arrived", "start_blocked", ...
+enum class PlanStatus { kArrived, kStartBlocked, kGoalBlocked, kNoPath, kNoMotion, kBudgetSpent };
+
+std::string_view planStatusName(PlanStatus status);
+std::string_view plannerName(PlannerKind planner);  ///< "prm", "rrt-connect"
+std::string_view searchName(SearchKind search);     ///< "guided", "thesis"
+std::optional<PlannerKind> plannerFromName(std::string_view name);
+std::optional<SearchKind> searchFromName(std::string_view name);
+
+/// What may be asked of a plan beside the scene.
+struct PlanOptions {
+  std::optional<std::uint64_t> seed;   ///< Instead of the scene's.
+  std::optional<double> radiusMetres;  ///< Instead of the scene's; 0.05..5.
+  double goalRadiusMetres = 0.1;       ///< Arrived when the root is this near the goal, 0.01..5.
+  PlannerKind planner = PlannerKind::kPrm;
+  SearchKind search = SearchKind::kGuided;
+  double subgoalSpacingMetres = 2.0;  ///< Of the thesis search (5.5), 0.2..20.
+  double budgetMilliseconds = 0.0;    ///< For the motion search; 0 means no limit in time.
+  MillisecondClock clock;             ///< For timings and the budget.
+};
+
+/// What happened, in figures (DESIGN, section 4).
+struct PlanReport {
+  PlanStatus status = PlanStatus::kNoPath;
+  std::string explanation;  ///< A sentence for people: what stands in the way, or empty.
+  std::uint64_t seed = 0;
+  PlannerKind planner = PlannerKind::kPrm;
+  SearchKind search = SearchKind::kGuided;
+  double radiusMetres = 0.0;
+  double goalRadiusMetres = 0.0;
+  double unitsPerMetre = 100.0;
+  double pathMilliseconds = 0.0;
+  double motionMilliseconds = 0.0;
+  double synthesisMilliseconds = 0.0;
+  double totalMilliseconds = 0.0;
+  double pathLengthMetres = 0.0;
+  double motionLengthMetres = 0.0;
+  double durationSeconds = 0.0;
+  std::size_t frames = 0;
+  std::uint64_t expansions = 0;
+  std::size_t transitions = 0;
+  std::vector<std::pair<FrameIndex, FrameIndex>>
+      edges;                     ///< Library frames at both ends of every edge played.
+  double clearanceMetres = 0.0;  ///< Smallest, of the disc's rim, along the walk; negative when it collides.
+  double footSkateCmPerSecond = 0.0;
+  std::uint64_t libraryHash = 0;
+};
+
+/// A planned walk with all that was on the way to it, for showing.
+struct Plan {
+  PlanReport report;
+  Clip walk;                                   ///< Empty unless arrived.
+  std::vector<EdgeKind> frameKinds;            ///< For each frame of the walk: captured or blended.
+  std::vector<ContactMask> contacts;           ///< For each frame of the walk, as in the library.
+  std::vector<std::pair<Vec2, Vec2>> roadmap;  ///< Edges of the roadmap or of both trees.
+  std::vector<Vec2> path;                      ///< From start to goal; empty when there is none.
+  std::vector<Vec2> subgoals;
+};
+
+/// Plans a walk through a scene: path, motion, synthesis. A scene or option out of range is an error; that
+/// there is no way is a plan whose status says so.
+Result<Plan> planWalk(const MotionLibrary& library, const Scene& scene, const PlanOptions& options = {});
+
+/// The report as the JSON object of DESIGN, section 4.
+std::string toJson(const PlanReport& report);
+
+}  // namespace stridegraph

@@ -1,0 +1,45 @@
+#include "walk/plan.h"
+
+namespace stridegraph {
+
+std::string_view planStatusName(PlanStatus status) {
+  switch (status) {
+    case PlanStatus::kArrived:
+      return "arrived";
+    case PlanStatus::kStartBlocked:
+      return "start_blocked";
+    case PlanStatus::kGoalBlocked:
+      return "goal_blocked";
+    case PlanStatus::kNoPath:
+      return "no_path";
+    case PlanStatus::kNoMotion:
+      return "no_motion";
+    case PlanStatus::kBudgetSpent:
+      return "budget_spent";
+  }
+  return "unknown";
+}
+
+std::string_view plannerName(PlannerKind planner) {
+  return planner == PlannerKind::kPrm ? "prm" : "rrt-connect";
+}
+
+std::string_view searchName(SearchKind search) {
+  return search == SearchKind::kGuided ? "guided" : "thesis";
+}
+
+std::optional<PlannerKind> plannerFromName(std::string_view name) {
+  for (const PlannerKind kind : {PlannerKind::kPrm, PlannerKind::kRrtConnect}) {
+    if (plannerName(kind) == name) return kind;
+  }
+  return std::nullopt;
+}
+
+std::optional<SearchKind> searchFromName(std::string_view name) {
+  for (const SearchKind kind : {SearchKind::kGuided, SearchKind::kThesis}) {
+    if (searchName(kind) == name) return kind;
+  }
+  return std::nullopt;
+}
+
+}  // namespace stridegraph
