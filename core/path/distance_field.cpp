@@ -1,0 +1,204 @@
+#include "path/distance_field.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace stridegraph {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kFineCellMetres = 0.1;
+constexpr double kCoarseCellMetres = 0.2;
+constexpr double kFineAreaSquareMetres = 5000.0;
+constexpr double kMostCells = 4'000'000.0;
+
+double chooseCellMetres(const FloorPlan& plan, double asked) {
+  const double area = plan.widthMetres() * plan.depthMetres();
+  const double usual = area > kFineAreaSquareMetres ? kCoarseCellMetres : kFineCellMetres;
+  const double wanted = asked > 0.0 ? asked : std::min(usual, plan.radiusMetres());
+  return std::max(wanted, std::sqrt(area / kMostCells));
+}
+
+/// Solves (u - a)^2 + (u - b)^2 = h^2 for the larger u; one-sided where only one neighbour is upwind.
+double eikonalUpdate(double a, double b, double h) {
+  const double low = std::min(a, b);
+  const double difference = std::max(a, b) - low;
+  if (!(difference < h)) return low + h;
+  return low + 0.5 * (difference + std::sqrt(2.0 * h * h - difference * difference));
+}
+
+}  // namespace
+
+/// The front: cells in the order of their values. A key holds the value's leading bits above the cell's
+/// index, so that one comparison of integers orders by value, then by index, everywhere alike.
+struct DistanceField::Marching {
+  std::vector<std::uint8_t> closed;  ///< Wall or final.
+  std::vector<std::uint64_t> heap;
+
+  void push(double value, std::size_t cell) {
+    const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(value));
+    heap.push_back((static_cast<std::uint64_t>(bits) << 32U) | static_cast<std::uint64_t>(cell));
+    std::push_heap(heap.begin(), heap.end(), std::greater<>());
+  }
+  std::size_t pop() {
+    std::pop_heap(heap.begin(), heap.end(), std::greater<>());
+    const std::size_t cell = heap.back() & 0xffffffffULL;
+    heap.pop_back();
+    return cell;
+  }
+};
+
+DistanceField::DistanceField(const FloorPlan& plan, const Vec2& goal, const Params& params)
+    : goal_(goal),
+      cellMetres_(chooseCellMetres(plan, params.cellMetres)),
+      inverseCell_(1.0 / cellMetres_),
+      columns_(static_cast<std::size_t>(std::ceil(plan.widthMetres() * inverseCell_))),
+      rows_(static_cast<std::size_t>(std::ceil(plan.depthMetres() * inverseCell_))),
+      stride_(columns_ + 2),
+      values_(stride_ * (rows_ + 2), kInfinity) {
+  Marching marching;
+  closeBlockedCells(plan, marching);
+  openCellsAlong(params.openPath, marching);
+  if (plan.isFree(goal)) seedAroundGoal(plan, params.exactRadiusMetres, marching);
+  march(marching);
+}
+
+std::size_t DistanceField::cellUnder(const Vec2& point) const {
+  const auto clampedCell = [&](double metres, std::size_t count) {
+    const double index = std::clamp(metres * inverseCell_, 0.0, static_cast<double>(count) - 0.5);
+    return static_cast<std::size_t>(index) + 1;
+  };
+  return indexOf(clampedCell(point.x(), columns_), clampedCell(point.y(), rows_));
+}
+
+void DistanceField::closeBlockedCells(const FloorPlan& plan, Marching& marching) const {
+  marching.closed.assign(values_.size(), 1);
+  for (std::size_t r = 1; r <= rows_; ++r) {
+    for (std::size_t c = 1; c <= columns_; ++c) {
+      marching.closed[indexOf(c, r)] = plan.isFree(centreOf(c, r)) ? 0 : 1;
+    }
+  }
+}
+
+void DistanceField::openCellsAlong(const std::vector<Vec2>& path, Marching& marching) const {
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const Vec2 along = path[i] - path[i - 1];
+    const int steps = 1 + static_cast<int>(4.0 * along.norm() * inverseCell_);
+    std::size_t before = cellUnder(path[i - 1]);
+    marching.closed[before] = 0;
+    for (int step = 1; step <= steps; ++step) {
+      const std::size_t cell = cellUnder(path[i - 1] + (static_cast<double>(step) / steps) * along);
+      marching.closed[cell] = 0;
+      // The front moves along rows and columns only: a diagonal step opens the cell between as well.
+      marching.closed[indexOf(cell % stride_, before / stride_)] = 0;
+      before = cell;
+    }
+  }
+}
+
+void DistanceField::seedAroundGoal(const FloorPlan& plan, double exactRadiusMetres, Marching& marching) {
+  const std::size_t goalCell = cellUnder(goal_);
+  const double radius = std::max(exactRadiusMetres, 2.0 * cellMetres_);
+  const auto reach = static_cast<std::ptrdiff_t>(std::ceil(radius * inverseCell_));
+  const auto column = static_cast<std::ptrdiff_t>(goalCell % stride_);
+  const auto row = static_cast<std::ptrdiff_t>(goalCell / stride_);
+  const auto clampTo = [](std::ptrdiff_t value, std::size_t high) {
+    return static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(value, 1, static_cast<std::ptrdiff_t>(high)));
+  };
+  const auto seed = [&](std::size_t cell, double metres) {
+    values_[cell] = metres;
+    marching.push(metres, cell);
+  };
+  for (std::size_t r = clampTo(row - reach, rows_); r <= clampTo(row + reach, rows_); ++r) {
+    for (std::size_t c = clampTo(column - reach, columns_); c <= clampTo(column + reach, columns_); ++c) {
+      const std::size_t cell = indexOf(c, r);
+      const Vec2 centre = centreOf(c, r);
+      const double metres = (centre - goal_).norm();
+      const bool known = cell == goalCell || (metres <= radius && plan.isFree(centre, goal_));
+      if (known && marching.closed[cell] == 0) seed(cell, metres);
+    }
+  }
+}
+
+void DistanceField::march(Marching& marching) {
+  const auto stride = static_cast<std::ptrdiff_t>(stride_);
+  while (!marching.heap.empty()) {
+    const std::size_t cell = marching.pop();
+    if (marching.closed[cell] != 0) continue;
+    marching.closed[cell] = 1;
+    for (const std::ptrdiff_t offset : {std::ptrdiff_t{-1}, std::ptrdiff_t{1}, -stride, stride}) {
+      const std::size_t next = cell + static_cast<std::size_t>(offset);
+      if (marching.closed[next] != 0) continue;
+      const double updated =
+          eikonalUpdate(std::min(values_[next - 1], values_[next + 1]),
+                        std::min(values_[next - stride_], values_[next + stride_]), cellMetres_);
+      if (updated >= values_[next]) continue;
+      values_[next] = updated;
+      marching.push(updated, next);
+    }
+  }
+}
+
+double DistanceField::nearbyMetres(const Vec2& point, int reach) const {
+  const double column = std::floor(point.x() * inverseCell_ + 0.5);
+  const double row = std::floor(point.y() * inverseCell_ + 0.5);
+  double best = kInfinity;
+  for (int dr = 1 - reach; dr <= reach; ++dr) {
+    for (int dc = 1 - reach; dc <= reach; ++dc) {
+      const double c = column + dc;
+      const double r = row + dr;
+      if (c < 1.0 || r < 1.0 || c > static_cast<double>(columns_) || r > static_cast<double>(rows_)) continue;
+      const auto cellColumn = static_cast<std::size_t>(c);
+      const auto cellRow = static_cast<std::size_t>(r);
+      const double value = values_[indexOf(cellColumn, cellRow)];
+      if (value < best) best = std::min(best, value + (centreOf(cellColumn, cellRow) - point).norm());
+    }
+  }
+  return best;
+}
+
+double DistanceField::metresToGoal(const Vec2& point) const {
+  // Between the middles of padded cells (c, r) and (c + 1, r + 1).
+  const double x = point.x() * inverseCell_ + 0.5;
+  const double z = point.y() * inverseCell_ + 0.5;
+  if (!(x >= 0.0 && z >= 0.0 && x < static_cast<double>(columns_ + 1) &&
+        z < static_cast<double>(rows_ + 1))) {
+    return kInfinity;
+  }
+  const auto c = static_cast<std::size_t>(x);
+  const auto r = static_cast<std::size_t>(z);
+  const double alongX = x - static_cast<double>(c);
+  const double alongZ = z - static_cast<double>(r);
+  const double* const low = values_.data() + indexOf(c, r);
+  const double* const high = low + stride_;
+  const double value = (1.0 - alongZ) * ((1.0 - alongX) * low[0] + alongX * low[1]) +
+                       alongZ * ((1.0 - alongX) * high[0] + alongX * high[1]);
+  if (std::isfinite(value)) {
+    // Bilinear values are blunt at the cone's tip; nothing fits between the goal and its own cells.
+    return value < 1.5 * cellMetres_ ? (point - goal_).norm() : value;
+  }
+  const double near = nearbyMetres(point, 1);
+  return std::isfinite(near) ? near : nearbyMetres(point, 2);
+}
+
+Vec2 DistanceField::directionToGoal(const Vec2& point) const {
+  const double step = 0.5 * cellMetres_;
+  const double here = metresToGoal(point);
+  if (!std::isfinite(here)) return Vec2::Zero();
+  const auto slope = [&](const Vec2& offset) {
+    const double ahead = metresToGoal(point + offset);
+    const double behind = metresToGoal(point - offset);
+    if (std::isfinite(ahead) && std::isfinite(behind)) return behind - ahead;
+    if (std::isfinite(ahead)) return here - ahead;
+    return std::isfinite(behind) ? behind - here : 0.0;
+  };
+  const Vec2 fall(slope({step, 0.0}), slope({0.0, step}));
+  const double norm = fall.norm();
+  return norm > 1e-9 ? Vec2(fall / norm) : Vec2::Zero();
+}
+
+}  // namespace stridegraph

@@ -1,0 +1,79 @@
+#include "path/occupancy_map.h"
+
+namespace stridegraph {
+
+namespace {
+
+constexpr double kSmallestCellMetres = 0.1;
+constexpr double kMostCells = 4'000'000.0;
+/// Cells this near to a border count as mixed: far above rounding in rooms of up to 1 km.
+constexpr double kSlackMetres = 1e-9;
+
+/// Half the width of the grown box's round end at this distance from the box's side.
+double halfWidth(double radius, double offset) {
+  return std::sqrt(radius * radius - offset * offset);
+}
+
+int floorToInt(double value, int low, int high) {
+  return static_cast<int>(std::clamp(std::floor(value), static_cast<double>(low), static_cast<double>(high)));
+}
+
+}  // namespace
+
+OccupancyMap::OccupancyMap(std::span<const Box> boxes, const Vec2& roomSize, double distanceMetres)
+    : cellMetres_(std::max(kSmallestCellMetres, std::sqrt(roomSize.x() * roomSize.y() / kMostCells))),
+      inverseCell_(1.0 / cellMetres_),
+      columns_(static_cast<int>(std::ceil(roomSize.x() * inverseCell_))),
+      rows_(static_cast<int>(std::ceil(roomSize.y() * inverseCell_))),
+      cells_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), Occupancy::kFree) {
+  markWalls(roomSize, distanceMetres);
+  for (const Box& box : boxes) markBox(box, distanceMetres);
+}
+
+void OccupancyMap::raise(int row, int firstColumn, int lastColumn, Occupancy state) {
+  Occupancy* const cells = cells_.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_);
+  for (int c = firstColumn; c <= lastColumn; ++c) cells[c] = std::max(cells[c], state);
+}
+
+void OccupancyMap::markWalls(const Vec2& roomSize, double distanceMetres) {
+  const auto stripState = [&](int index, double size) {
+    const double low = index * cellMetres_;
+    const double high = low + cellMetres_;
+    const double border = distanceMetres;
+    if (high < border - kSlackMetres || low > size - border + kSlackMetres) return Occupancy::kBlocked;
+    if (low < border + kSlackMetres || high > size - border - kSlackMetres) return Occupancy::kMixed;
+    return Occupancy::kFree;
+  };
+  std::vector<Occupancy> columnStates(static_cast<std::size_t>(columns_));
+  for (int c = 0; c < columns_; ++c) columnStates[static_cast<std::size_t>(c)] = stripState(c, roomSize.x());
+  for (int r = 0; r < rows_; ++r) {
+    const Occupancy rowState = stripState(r, roomSize.y());
+    Occupancy* const cells = cells_.data() + static_cast<std::size_t>(r) * static_cast<std::size_t>(columns_);
+    for (int c = 0; c < columns_; ++c) {
+      cells[c] = std::max(rowState, columnStates[static_cast<std::size_t>(c)]);
+    }
+  }
+}
+
+void OccupancyMap::markBox(const Box& box, double distanceMetres) {
+  const double outer = distanceMetres + kSlackMetres;
+  const double inner = distanceMetres - kSlackMetres;
+  const int firstRow = floorToInt((box.minZ - outer) * inverseCell_, 0, rows_);
+  const int lastRow = floorToInt((box.maxZ + outer) * inverseCell_, -1, rows_ - 1);
+  for (int r = firstRow; r <= lastRow; ++r) {
+    const double low = r * cellMetres_;
+    const double high = low + cellMetres_;
+    const double nearest = std::max({box.minZ - high, low - box.maxZ, 0.0});
+    if (nearest >= outer) continue;
+    const double touched = halfWidth(outer, nearest);
+    raise(r, floorToInt((box.minX - touched) * inverseCell_, 0, columns_),
+          floorToInt((box.maxX + touched) * inverseCell_, -1, columns_ - 1), Occupancy::kMixed);
+    const double farthest = std::max({box.minZ - low, high - box.maxZ, 0.0});
+    if (farthest >= inner) continue;
+    const double covered = halfWidth(inner, farthest);
+    raise(r, floorToInt((box.minX - covered) * inverseCell_ + 1.0, 0, columns_),
+          floorToInt((box.maxX + covered) * inverseCell_ - 1.0, -1, columns_ - 1), Occupancy::kBlocked);
+  }
+}
+
+}  // namespace stridegraph

@@ -1,0 +1,101 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+
+#include "scene/scene_json.h"
+#include "scene/scene_limits.h"
+
+namespace stridegraph {
+
+namespace {
+
+using Checked = Result<void>;
+
+tl::unexpected<Error> wrong(const std::string& member, double found, std::string_view expected) {
+  return fail(ErrorCode::kSceneValue, fmt::format("{}: found {}, expected {}", member, found, expected));
+}
+
+Checked checkFinite(const std::string& member, double value) {
+  if (!std::isfinite(value)) return wrong(member, value, "a finite number");
+  return {};
+}
+
+Checked checkWithin(const std::string& member, double value, double low, double high) {
+  if (!(value >= low && value <= high)) return wrong(member, value, fmt::format("{} to {}", low, high));
+  return {};
+}
+
+Checked checkPoint(const std::string& member, const Vec2& point) {
+  if (Checked x = checkFinite(member + ".x", point.x()); !x) return x;
+  return checkFinite(member + ".z", point.y());
+}
+
+Checked checkSize(const std::string& member, const Vec2& size) {
+  if (!(size.x() > 0.0 && std::isfinite(size.x())))
+    return wrong(member + ".width", size.x(), "a number above 0");
+  if (!(size.y() > 0.0 && std::isfinite(size.y())))
+    return wrong(member + ".depth", size.y(), "a number above 0");
+  return {};
+}
+
+Checked checkPlacement(const std::string& member, const Placement& placement) {
+  if (Checked position = checkPoint(member, placement.position); !position) return position;
+  if (!placement.heading) return {};
+  return checkFinite(member + ".heading_deg", placement.heading->degrees());
+}
+
+Checked checkCount(const std::string& member, std::size_t count, std::size_t most) {
+  if (count <= most) return {};
+  return fail(ErrorCode::kSceneValue,
+              fmt::format("{}: found {} elements, expected at most {}", member, count, most));
+}
+
+Checked checkMoving(const std::string& member, const MovingObstacle& moving) {
+  if (Checked size = checkSize(member, moving.size); !size) return size;
+  if (moving.track.empty()) {
+    return fail(ErrorCode::kSceneValue,
+                fmt::format("{}.track: found 0 elements, expected at least 1", member));
+  }
+  if (Checked count = checkCount(member + ".track", moving.track.size(), kMostTrackPoints); !count)
+    return count;
+  for (std::size_t i = 0; i < moving.track.size(); ++i) {
+    const std::string place = fmt::format("{}.track[{}]", member, i);
+    const TrackPoint& point = moving.track[i];
+    if (Checked time = checkFinite(place + ".t", point.seconds); !time) return time;
+    if (i > 0 && !(point.seconds > moving.track[i - 1].seconds)) {
+      return wrong(place + ".t", point.seconds, fmt::format("a time above {}", moving.track[i - 1].seconds));
+    }
+    if (Checked position = checkPoint(place, point.position); !position) return position;
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<void> checkScene(const Scene& scene) {
+  if (Checked width = checkWithin("width", scene.widthMetres, kLeastRoomMetres, kMostRoomMetres); !width) {
+    return width;
+  }
+  if (Checked depth = checkWithin("depth", scene.depthMetres, kLeastRoomMetres, kMostRoomMetres); !depth) {
+    return depth;
+  }
+  if (Checked radius = checkWithin("radius", scene.radiusMetres, kLeastRadiusMetres, kMostRadiusMetres);
+      !radius) {
+    return radius;
+  }
+  if (Checked count = checkCount("obstacles", scene.obstacles.size(), kMostObstacles); !count) return count;
+  for (std::size_t i = 0; i < scene.obstacles.size(); ++i) {
+    const std::string place = fmt::format("obstacles[{}]", i);
+    if (Checked centre = checkPoint(place, scene.obstacles[i].centre); !centre) return centre;
+    if (Checked size = checkSize(place, scene.obstacles[i].size); !size) return size;
+  }
+  if (Checked count = checkCount("moving", scene.moving.size(), kMostObstacles); !count) return count;
+  for (std::size_t i = 0; i < scene.moving.size(); ++i) {
+    if (Checked moving = checkMoving(fmt::format("moving[{}]", i), scene.moving[i]); !moving) return moving;
+  }
+  if (Checked start = checkPlacement("start", scene.start); !start) return start;
+  return checkPlacement("goal", scene.goal);
+}
+
+}  // namespace stridegraph

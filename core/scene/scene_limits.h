@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cstddef>
+
+namespace stridegraph {
+
+/// What a scene may hold. Wide enough for any room worth walking in, narrow enough that no scene can ask for
+/// more memory or time than a page has.
+inline constexpr double kLeastRoomMetres = 1.0;
+inline constexpr double kMostRoomMetres = 1000.0;
+inline constexpr double kLeastRadiusMetres = 0.05;
+inline constexpr double kMostRadiusMetres = 5.0;
+inline constexpr std::size_t kMostObstacles = 10'000;
+inline constexpr std::size_t kMostTrackPoints = 10'000;
+
+}  // namespace stridegraph
