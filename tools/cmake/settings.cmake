@@ -1,0 +1,18 @@
+# Settings of every target of this project: warnings as errors, and the same floating point everywhere.
+add_library(stridegraph_settings INTERFACE)
+target_compile_options(stridegraph_settings INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror -ffp-contract=off)
+
+if(STRIDEGRAPH_SANITIZE)
+  target_compile_options(stridegraph_settings INTERFACE -fsanitize=address,undefined
+                         -fno-sanitize-recover=undefined)
+  target_link_options(stridegraph_settings INTERFACE -fsanitize=address,undefined)
+endif()
+
+if(EMSCRIPTEN)
+  target_compile_options(stridegraph_settings INTERFACE -msimd128)
+  # Debian's Emscripten takes acorn from Debian's Node.js modules, which a newer Node.js does not search.
+  if(EXISTS /usr/share/nodejs/acorn)
+    set_property(GLOBAL PROPERTY RULE_LAUNCH_LINK "${CMAKE_COMMAND} -E env NODE_PATH=/usr/share/nodejs")
+  endif()
+endif()
