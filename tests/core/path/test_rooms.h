@@ -69,4 +69,17 @@ inline Vec2 randomPoint(Random& random, const Scene& scene) {
   return {x, random.uniform(0.0, scene.depthMetres)};
 }
 
+/// Start and goal anywhere free for a disc of this radius; false where 50 tries do not find both.
+inline bool placeEnds(Random& random, Scene& scene, double radiusMetres) {
+  const FloorPlan plan(scene, radiusMetres);
+  for (Placement* end : {&scene.start, &scene.goal}) {
+    int tries = 0;
+    do {
+      end->position = randomPoint(random, scene);
+    } while (!plan.isFree(end->position) && ++tries < 50);
+    if (tries == 50) return false;
+  }
+  return true;
+}
+
 }  // namespace stridegraph
