@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "graph/frame_features.h"
+
+namespace stridegraph {
+
+/// Distances are handed on in whole micrometres: rounding noise of 32 bit floats then neither breaks ties nor
+/// makes sums along diagonals drift.
+inline constexpr double kMicrometresPerMetre = 1e6;
+/// Larger distances are cut off here: 10 m.
+inline constexpr std::uint32_t kFarMicrometres = 10'000'000;
+
+/// The similarity matrix of two clips (fig. 5.3 a), a few rows at a time; never whole in memory, which stays
+/// below 250 bytes for each column. Row r, column c is the distance of window r of the one clip and window c
+/// of the other (centred on frames r + 2 and c + 2), within 1e-4 m of poseDistanceMetres(). Borrows both
+/// features.
+class DistanceRows {
+ public:
+  static constexpr std::size_t kRowsAtOnce = 4;
+
+  DistanceRows(const ClipFeatures& rows, const ClipFeatures& columns);
+  /// Of a clip with itself: each row begins at least `reach` columns before the diagonal or at 0; what lies
+  /// farther left is the mirror image of what lies right, and is not computed.
+  DistanceRows(const ClipFeatures& clip, std::size_t reach);
+
+  /// Computes the next rows, kRowsAtOnce or what is left; 0 at the end.
+  std::size_t advance();
+  /// Row k of those computed last: firstColumn() and on are valid, one entry for each window of the columns.
+  std::span<const std::uint32_t> row(std::size_t k) const;
+  std::size_t firstColumn() const { return firstColumn_; }
+
+ private:
+  static constexpr std::size_t kRing = 2 * kRowsAtOnce;  ///< Frames whose products are kept.
+
+  std::size_t firstColumnFor(std::size_t row) const;
+  void multiplyFrames(std::size_t firstFrame);
+  void combine(std::size_t row, std::size_t k);
+
+  const ClipFeatures* rows_;
+  const ClipFeatures* columns_;
+  std::size_t reach_;
+  std::size_t nextRow_ = 0;
+  std::size_t firstColumn_ = 0;
+  std::vector<float> along_, across_, height_;     ///< kRing rows of frame products.
+  std::vector<float> motionAlong_, motionAcross_;  ///< kRowsAtOnce rows of window products.
+  std::vector<std::uint32_t> distances_;           ///< kRowsAtOnce rows.
+};
+
+}  // namespace stridegraph
