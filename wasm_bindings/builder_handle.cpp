@@ -1,0 +1,85 @@
+#include "builder_handle.h"
+
+#include <memory>
+
+#include "js_values.h"
+#include "library_handle.h"
+
+namespace stridegraph::bindings {
+namespace {
+
+using emscripten::val;
+
+val fateValue(const ClipFate& fate) {
+  val value = val::object();
+  value.set("name", fate.name);
+  value.set("frames", static_cast<double>(fate.frames));
+  value.set("transitions", static_cast<double>(fate.transitions));
+  value.set("survivingFrames", static_cast<double>(fate.survivingFrames));
+  value.set("reason", fate.reason);
+  return value;
+}
+
+val reportValue(const BuildReport& report, const Warnings& warnings) {
+  val clips = val::array();
+  for (const ClipFate& fate : report.clips) clips.call<void>("push", fateValue(fate));
+  val value = val::object();
+  value.set("framePairs", static_cast<double>(report.framePairs));
+  value.set("nodesBeforePruning", static_cast<double>(report.nodesBeforePruning));
+  value.set("clipPiecesBeforePruning", static_cast<double>(report.clipPiecesBeforePruning));
+  value.set("transitionsBeforePruning", static_cast<double>(report.transitionsBeforePruning));
+  value.set("nodes", static_cast<double>(report.nodes));
+  value.set("clipPieces", static_cast<double>(report.clipPieces));
+  value.set("transitions", static_cast<double>(report.transitions));
+  value.set("survivingShare", report.survivingShare);
+  value.set("clips", clips);
+  value.set("warnings", warningList(warnings));
+  return value;
+}
+
+}  // namespace
+
+val BuilderHandle::create(const val& options) {
+  Result<BuildOptions> read = readBuildOptions(options);
+  if (!read) return refuse(read.error());
+  return succeed(val(std::make_shared<BuilderHandle>(*std::move(read))));
+}
+
+val BuilderHandle::addClip(const std::string& name, const std::string& text) {
+  Result<BvhDocument> document = readBvh(text, name, options_.reading);
+  if (!document) return refuse(document.error());
+  warnings_.insert(warnings_.end(), document->warnings.begin(), document->warnings.end());
+  documents_.push_back(*std::move(document));
+  return succeed(val::undefined());
+}
+
+val BuilderHandle::start() {
+  Result<LibraryBuilder> builder =
+      LibraryBuilder::start(std::move(documents_), options_.library, options_.license);
+  documents_.clear();
+  if (!builder) return refuse(builder.error());
+  builder_.emplace(*std::move(builder));
+  return succeed(val::undefined());
+}
+
+bool BuilderHandle::step() {
+  return builder_ && builder_->step();
+}
+
+double BuilderHandle::progress() const {
+  return builder_ ? builder_->progress() : 0.0;
+}
+
+val BuilderHandle::finish() {
+  Result<MotionLibrary> library = builder_->finish();
+  if (!library) return refuse(library.error());
+  Warnings warnings = warnings_;
+  const Warnings& later = builder_->report().warnings;
+  warnings.insert(warnings.end(), later.begin(), later.end());
+  val value = val::object();
+  value.set("report", reportValue(builder_->report(), warnings));
+  value.set("library", val(std::make_shared<LibraryHandle>(*std::move(library))));
+  return succeed(value);
+}
+
+}  // namespace stridegraph::bindings

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <emscripten/val.h>
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "graph/library_builder.h"
+#include "options.h"
+
+namespace stridegraph::bindings {
+
+/// Builds a library from BVH texts in small steps: every clip read is one, then those of LibraryBuilder.
+class BuilderHandle {
+ public:
+  /// {value: LibraryBuilder}, or why the options will not do; see BuildOptions in stridegraph.d.ts.
+  static emscripten::val create(const emscripten::val& options);
+
+  explicit BuilderHandle(BuildOptions options) : options_(std::move(options)) {}
+
+  /// Reads one clip: {value: undefined} or its error.
+  emscripten::val addClip(const std::string& name, const std::string& text);
+  /// Ends the reading: {value: undefined}, or why the clips make no library.
+  emscripten::val start();
+  bool step();
+  double progress() const;
+  /// {value: {library, report}} once step() has said false.
+  emscripten::val finish();
+
+ private:
+  BuildOptions options_;
+  std::vector<BvhDocument> documents_;
+  std::optional<LibraryBuilder> builder_;
+  Warnings warnings_;
+};
+
+}  // namespace stridegraph::bindings

@@ -1,0 +1,94 @@
+#include "options.h"
+
+#include <fmt/format.h>
+
+#include "option_reader.h"
+
+namespace stridegraph::bindings {
+namespace {
+
+using emscripten::val;
+
+constexpr double kInchMetres = 0.0254;
+
+/// Units as on the command line: auto, m, cm, in, or metres per unit.
+std::optional<double> readUnits(OptionReader& reader) {
+  if (!reader.isText("units")) {
+    const std::optional<double> metresPerUnit = reader.number("units");
+    if (!metresPerUnit) return {};
+    if (*metresPerUnit > 0) return 1.0 / *metresPerUnit;
+    reader.refuse(
+        fmt::format("build options: units is {}, expected metres per unit above 0", *metresPerUnit));
+    return {};
+  }
+  const std::string units = reader.text("units").value_or("auto");
+  if (units == "m") return 1.0;
+  if (units == "cm") return 100.0;
+  if (units == "in") return 1.0 / kInchMetres;
+  if (units != "auto") {
+    reader.refuse(fmt::format("build options: units is \"{}\", expected auto, m, cm, in or a number", units));
+  }
+  return {};
+}
+
+std::optional<UpAxis> readUp(OptionReader& reader) {
+  const std::string up = reader.text("up").value_or("auto");
+  if (up == "y") return UpAxis::kY;
+  if (up == "z") return UpAxis::kZ;
+  if (up != "auto") reader.refuse(fmt::format("build options: up is \"{}\", expected auto, y or z", up));
+  return {};
+}
+
+/// A name that must be one of core's: `find` is plannerFromName or searchFromName.
+template <typename Kind>
+void readKind(OptionReader& reader, const char* member, std::optional<Kind> (*find)(std::string_view),
+              const char* expected, Kind& kind) {
+  const std::optional<std::string> name = reader.text(member);
+  if (!name) return;
+  if (const std::optional<Kind> found = find(*name)) {
+    kind = *found;
+  } else {
+    reader.refuse(fmt::format("plan options: {} is \"{}\", expected {}", member, *name, expected));
+  }
+}
+
+std::string eitherName(std::string_view one, std::string_view other) {
+  return fmt::format("{} or {}", one, other);
+}
+
+}  // namespace
+
+Result<PlanOptions> readPlanOptions(const val& options) {
+  OptionReader reader(options, "plan options");
+  PlanOptions read;
+  if (const auto seed = reader.wholeNumber("seed")) read.seed = static_cast<std::uint64_t>(*seed);
+  read.radiusMetres = reader.number("radius");
+  read.goalRadiusMetres = reader.number("goalRadius").value_or(read.goalRadiusMetres);
+  read.subgoalSpacingMetres = reader.number("subgoalSpacing").value_or(read.subgoalSpacingMetres);
+  read.budgetMilliseconds = reader.number("budgetMs").value_or(read.budgetMilliseconds);
+  const std::string planners =
+      eitherName(plannerName(PlannerKind::kPrm), plannerName(PlannerKind::kRrtConnect));
+  const std::string searches = eitherName(searchName(SearchKind::kGuided), searchName(SearchKind::kThesis));
+  readKind(reader, "planner", plannerFromName, planners.c_str(), read.planner);
+  readKind(reader, "search", searchFromName, searches.c_str(), read.search);
+  if (Result<void> checked = reader.check(); !checked) return fail(std::move(checked));
+  return read;
+}
+
+Result<BuildOptions> readBuildOptions(const val& options) {
+  OptionReader reader(options, "build options");
+  BuildOptions read;
+  read.library.thresholdMetres = reader.number("threshold").value_or(read.library.thresholdMetres);
+  read.library.framesPerSecond = reader.number("fps").value_or(read.library.framesPerSecond);
+  read.library.mirror = reader.flag("mirror").value_or(read.library.mirror);
+  if (const auto frames = reader.wholeNumber("transitionFrames")) {
+    read.library.transitionFrames = static_cast<std::uint32_t>(std::min(*frames, 4294967295.0));
+  }
+  read.reading.unitsPerMetre = readUnits(reader);
+  read.reading.up = readUp(reader);
+  read.license = reader.text("license").value_or("");
+  if (Result<void> checked = reader.check(); !checked) return fail(std::move(checked));
+  return read;
+}
+
+}  // namespace stridegraph::bindings

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <emscripten/val.h>
+
+#include "base/result.h"
+#include "graph/library.h"
+#include "motion/bvh_reader.h"
+#include "walk/plan.h"
+
+namespace stridegraph::bindings {
+
+/// PlanOptions of stridegraph.d.ts, without the clock. Fails with kInvalidArgument.
+Result<PlanOptions> readPlanOptions(const emscripten::val& options);
+
+/// BuildOptions of stridegraph.d.ts.
+struct BuildOptions {
+  LibraryParams library;
+  BvhReadParams reading;
+  std::string license;
+};
+Result<BuildOptions> readBuildOptions(const emscripten::val& options);
+
+}  // namespace stridegraph::bindings

@@ -1,0 +1,276 @@
+/** The motion-graph engine: opens or builds libraries of captured motion and plans walks through rooms. */
+
+/** A refusal. Nothing else is thrown for bad arguments. */
+export class StridegraphError extends Error {
+  /** One of {@link Stridegraph.errorCodes}. */
+  readonly code: string
+  /** For faults in a text: its name, and line and column from 1, as far as known. */
+  readonly file?: string
+  readonly line?: number
+  readonly column?: number
+}
+
+/** A rectangle on the floor: centre and full size, metres. */
+export interface Rectangle {
+  x: number
+  z: number
+  width: number
+  depth: number
+}
+
+/** A point on the floor, metres, with or without a direction: 0 faces +z, 90 faces +x. */
+export interface Placement {
+  x: number
+  z: number
+  heading_deg?: number
+}
+
+export interface MovingObstacle {
+  width: number
+  depth: number
+  repeat?: 'loop' | 'pingpong' | 'once'
+  /** Where its centre is at a time (seconds); times grow. */
+  track: { t: number; x: number; z: number }[]
+}
+
+/** A room that spans 0..width in x and 0..depth in z, metres. The form of the editor's files. */
+export interface Scene {
+  version?: number
+  name?: string
+  width: number
+  depth: number
+  obstacles: Rectangle[]
+  moving?: MovingObstacle[]
+  start: Placement
+  goal: Placement
+  /** Of the disc that stands for the body, metres; 0.4 when missing. */
+  radius?: number
+  seed?: number
+  /** Members this version does not know are kept. */
+  [member: string]: unknown
+}
+
+export interface PlanOptions {
+  /** Instead of the scene's. */
+  seed?: number
+  /** Instead of the scene's, metres, 0.05..5. */
+  radius?: number
+  /** The walk has arrived when the root is this near the goal, metres, 0.01..5; 0.1 when missing. */
+  goalRadius?: number
+  planner?: 'prm' | 'rrt-connect'
+  search?: 'guided' | 'thesis'
+  /** Metres between subgoals of the thesis search, 0.2..20; 2 when missing. */
+  subgoalSpacing?: number
+  /** Milliseconds for the motion search; 0 or missing means no limit. */
+  budgetMs?: number
+}
+
+export type PlanStatus =
+  'arrived' | 'start_blocked' | 'goal_blocked' | 'no_path' | 'no_motion' | 'budget_spent'
+
+/** What happened, in figures; the same members as the program's plan report. */
+export interface PlanReport {
+  status: PlanStatus
+  seed: number
+  planner: string
+  search: string
+  radius_m: number
+  goal_radius_m: number
+  units_per_metre: number
+  path_ms: number
+  motion_ms: number
+  synthesis_ms: number
+  total_ms: number
+  path_length_m: number
+  motion_length_m: number
+  duration_s: number
+  frames: number
+  expansions: number
+  transitions: number
+  /** Library frames at both ends of every edge played. */
+  edges: [number, number][]
+  /** Smallest distance of the disc's rim to anything along the walk. */
+  clearance_m: number
+  foot_skate_cm_s: number
+  library_hash: string
+  [member: string]: unknown
+}
+
+export interface Joint {
+  name: string
+  /** Index of the parent, which comes before its children; -1 for the root. */
+  parent: number
+  /** The end of a bone that has no further joint; never rotates. */
+  isEndSite: boolean
+  /** From the parent, in the parent's axes, metres. */
+  offset: [number, number, number]
+}
+
+/** A plan, and the walk when it arrived. Plain values that outlive the library. */
+export interface Walk {
+  readonly status: PlanStatus
+  readonly report: PlanReport
+  readonly fps: number
+  /** 0 unless arrived. */
+  readonly frames: number
+  readonly joints: Joint[]
+  /** frames x joints x (x, y, z): world positions, metres, y up. */
+  readonly positions: Float32Array
+  /** frames x joints x (w, x, y, z): rotations relative to the parent. */
+  readonly rotations: Float32Array
+  /** One for each frame: 1 where a transition blends, 0 where the frame is as captured. */
+  readonly blended: Uint8Array
+  /** One for each frame: a bit for each entry of LibraryInfo.contactJoints that touches the floor. */
+  readonly contacts: Uint8Array
+  /** x, z of every corner of the path from start to goal; empty when there is none. */
+  readonly path: Float32Array
+  /** x, z of every subgoal. */
+  readonly subgoals: Float32Array
+  /** x, z, x, z of every edge of the roadmap, or of both trees. */
+  readonly roadmap: Float32Array
+  /** The walk with the names, channels, unit and axes of the clips it came from. Throws unless arrived. */
+  toBvh(): string
+  /** The walk as binary glTF 2.0. Throws unless arrived. */
+  toGlb(): Uint8Array
+}
+
+export interface LibraryInfo {
+  /** 16 hexadecimal digits; the same library has the same hash everywhere. */
+  hash: string
+  fps: number
+  frames: number
+  nodes: number
+  clipPieces: number
+  transitions: number
+  thresholdMetres: number
+  transitionFrames: number
+  mirror: boolean
+  license: string
+  clips: { name: string; firstFrame: number; frames: number; mirrored: boolean }[]
+  /** Joints that may touch the floor, in the order of a walk's contact bits. */
+  contactJoints: number[]
+}
+
+export interface Warning {
+  message: string
+  /** Empty when unknown. */
+  file: string
+  /** From 1; 0 when unknown. */
+  line: number
+  column: number
+}
+
+/** What building found, kept and dropped, and why. */
+export interface BuildReport {
+  framePairs: number
+  nodesBeforePruning: number
+  clipPiecesBeforePruning: number
+  transitionsBeforePruning: number
+  nodes: number
+  clipPieces: number
+  transitions: number
+  /** Of all frames, 0..1. */
+  survivingShare: number
+  clips: { name: string; frames: number; transitions: number; survivingFrames: number; reason: string }[]
+  warnings: Warning[]
+}
+
+/** A motion library. It holds memory that a garbage collector does not see: delete it when done. */
+export interface Library {
+  readonly info: LibraryInfo
+  readonly joints: Joint[]
+  /** Only of libraries built here. */
+  readonly buildReport?: BuildReport
+  /** Plans a walk. That there is no way is a status, not an error. The scene may be its JSON text. */
+  plan(scene: Scene | string, options?: PlanOptions): Walk
+  /** .sgraph bytes. */
+  toBytes(): Uint8Array
+  /** Frees the library; walks planned with it stay. May be called twice. */
+  delete(): void
+}
+
+/** A clip as BVH text; the name is used in messages and reports. */
+export interface BvhText {
+  name: string
+  text: string
+}
+
+export interface BuildOptions {
+  /** Largest distance along a transition, metres per joint; 0.05 when missing. */
+  threshold?: number
+  /** Length of a transition, frames, 2..120; 13 when missing. */
+  transitionFrames?: number
+  /** Rate of the library, 1..240; 30 when missing. */
+  fps?: number
+  /** Also every clip with left and right swapped. */
+  mirror?: boolean
+  /** Of the files; a number is metres per unit. Inferred when missing or auto. */
+  units?: 'auto' | 'm' | 'cm' | 'in' | number
+  up?: 'auto' | 'y' | 'z'
+  /** A line on where the clips come from and on what terms. */
+  license?: string
+}
+
+/** A library that is being built. Ends with finish() or cancel(). */
+export interface LibraryBuild {
+  /** 0..1. */
+  readonly progress: number
+  /** Some milliseconds of work; false when nothing is left but finish(). */
+  step(): boolean
+  /** The library; does the steps that are left. */
+  finish(): Library
+  /** Gives the memory back; nothing may be called afterwards. */
+  cancel(): void
+}
+
+export interface AsyncBuild {
+  /** Called between slices with 0..1. */
+  onProgress?: (progress: number) => void
+  /** Aborting rejects with the signal's reason. */
+  signal?: AbortSignal
+  /** Work between two pauses, milliseconds; 12 when missing. */
+  sliceMs?: number
+}
+
+export interface LinkOptions {
+  /** Name of the motion search; guided when missing. */
+  search?: 'guided' | 'thesis'
+  /** LibraryInfo.hash of the library it was planned with. */
+  libraryHash?: string
+}
+
+export interface SharedScene {
+  scene: Scene
+  search: string
+  /** Null when unknown. */
+  libraryHash: string | null
+}
+
+export interface Stridegraph {
+  /** Every code that a StridegraphError may have. */
+  readonly errorCodes: readonly string[]
+  /** Size of the WebAssembly memory, and how much of it is in use. */
+  readonly memory: { heapBytes: number; usedBytes: number }
+  /** Opens .sgraph bytes, which are verified. */
+  openLibrary(bytes: ArrayBuffer | ArrayBufferView): Library
+  /** Builds a library at once. */
+  buildLibrary(clips: BvhText[], options?: BuildOptions): Library
+  /** Builds a library step by step, under the caller's control. */
+  startBuild(clips: BvhText[], options?: BuildOptions): LibraryBuild
+  /** Builds a library in slices between which the page stays alive. */
+  buildLibraryAsync(clips: BvhText[], options?: BuildOptions, run?: AsyncBuild): Promise<Library>
+  /** The fragment of a link, without '#': everything that replays the same walk anywhere. */
+  encodeLink(scene: Scene | string, options?: LinkOptions): string
+  /** Reads a fragment, with or without '#'. */
+  decodeLink(text: string): SharedScene
+}
+
+export interface LoadOptions {
+  /** The bytes of stridegraph_module.wasm, when they are there already. */
+  wasmBinary?: ArrayBuffer | ArrayBufferView
+  /** Where stridegraph_module.wasm is, when not beside stridegraph.mjs. */
+  wasmUrl?: string | URL
+}
+
+/** Loads the engine, in browsers, workers and Node.js 18 or newer. */
+export function loadStridegraph(options?: LoadOptions): Promise<Stridegraph>

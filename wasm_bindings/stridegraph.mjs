@@ -1,0 +1,319 @@
+// The engine for JavaScript: the same file in browsers, workers and Node.js. Types and meanings are in
+// stridegraph.d.ts. Everything here copies in and out of WebAssembly; only a library (and a build that is
+// under way) holds on to memory there.
+import createStridegraphModule from './stridegraph_module.mjs'
+
+/** A refusal: its code is one of Stridegraph.errorCodes; texts are blamed by file, line and column. */
+export class StridegraphError extends Error {
+  constructor({ code, message, file, line, column }) {
+    super(message)
+    this.name = 'StridegraphError'
+    this.code = code
+    this.file = file || undefined
+    this.line = line || undefined
+    this.column = column || undefined
+  }
+}
+
+function unpack(answer) {
+  if (answer.error) throw new StridegraphError(answer.error)
+  return answer.value
+}
+
+/** Deletes what was forgotten; delete() is still the polite way, since nobody knows when this runs. */
+const forgotten = new FinalizationRegistry((raw) => raw.delete())
+
+/** An object on the WebAssembly heap, until it is deleted. */
+class Handle {
+  #raw
+  #module
+  #what
+
+  constructor(module, raw, what) {
+    this.#module = module
+    this.#raw = raw
+    this.#what = what
+    forgotten.register(this, raw, this)
+  }
+
+  get raw() {
+    if (!this.#raw) unpack(this.#module.invalidArgument(`the ${this.#what} was deleted, expected one in use`))
+    return this.#raw
+  }
+
+  delete() {
+    if (!this.#raw) return
+    forgotten.unregister(this)
+    this.#raw.delete()
+    this.#raw = undefined
+  }
+}
+
+function describe(value) {
+  if (value === null || value === undefined) return `${value}`
+  if (Array.isArray(value)) return 'an array'
+  return typeof value === 'object' ? 'an object' : `a ${typeof value}`
+}
+
+function refuse(module, what, found, expected) {
+  return unpack(module.invalidArgument(`${what} is ${describe(found)}, expected ${expected}`))
+}
+
+function textOf(module, what, value) {
+  return typeof value === 'string' ? value : refuse(module, what, value, 'a string')
+}
+
+function bytesOf(module, value) {
+  if (ArrayBuffer.isView(value)) return new Uint8Array(value.buffer, value.byteOffset, value.byteLength)
+  if (Object.prototype.toString.call(value) === '[object ArrayBuffer]') return new Uint8Array(value)
+  return refuse(module, 'the library', value, 'an ArrayBuffer or a typed array of bytes')
+}
+
+function sceneTextOf(module, scene) {
+  if (typeof scene === 'string') return scene
+  let text
+  try {
+    text = JSON.stringify(scene)
+  } catch (reason) {
+    return unpack(
+      module.invalidArgument(`the scene cannot become JSON (${reason.message}), expected a plain object`),
+    )
+  }
+  return text ?? refuse(module, 'the scene', scene, 'a scene object or its JSON text')
+}
+
+/** A planned walk: plain values, independent of the library it came from. */
+class Walk {
+  #module
+  #skeleton
+  #motion
+
+  constructor(module, skeleton, plan) {
+    this.#module = module
+    this.#skeleton = skeleton
+    this.#motion = { fps: plan.fps, rootPositions: plan.rootPositions, rotations: plan.rotations }
+    this.status = plan.status
+    this.report = JSON.parse(plan.report)
+    this.fps = plan.fps
+    this.frames = plan.frames
+    this.joints = skeleton.joints
+    this.positions = plan.positions
+    this.rotations = Float32Array.from(plan.rotations)
+    this.blended = plan.blended
+    this.contacts = plan.contacts
+    this.path = plan.path
+    this.subgoals = plan.subgoals
+    this.roadmap = plan.roadmap
+  }
+
+  toBvh() {
+    this.#mustHaveFrames()
+    return unpack(this.#module.walkToBvh(this.#skeleton, this.#motion))
+  }
+
+  toGlb() {
+    this.#mustHaveFrames()
+    return unpack(this.#module.walkToGlb(this.#skeleton, this.#motion))
+  }
+
+  #mustHaveFrames() {
+    if (this.frames > 0) return
+    unpack(
+      this.#module.invalidArgument(`the plan ended with ${this.status}, expected one that arrived to export`),
+    )
+  }
+}
+
+/** A motion library. Delete it when done. */
+class Library {
+  #module
+  #handle
+  #info
+  #skeleton
+
+  constructor(module, raw, buildReport) {
+    this.#module = module
+    this.#handle = new Handle(module, raw, 'library')
+    this.#info = raw.info()
+    this.#skeleton = raw.skeleton()
+    this.buildReport = buildReport
+  }
+
+  get info() {
+    return structuredClone(this.#info)
+  }
+
+  get joints() {
+    return structuredClone(this.#skeleton.joints)
+  }
+
+  plan(scene, options) {
+    const raw = this.#handle.raw
+    const plan = unpack(raw.plan(sceneTextOf(this.#module, scene), options))
+    return new Walk(this.#module, structuredClone(this.#skeleton), plan)
+  }
+
+  toBytes() {
+    return this.#handle.raw.toBytes()
+  }
+
+  delete() {
+    this.#handle.delete()
+  }
+}
+
+/** How much of a build's progress the reading of its clips counts for. */
+const readingShare = 0.2
+
+/** A library that is being built, step by step. */
+class LibraryBuild {
+  #module
+  #handle
+  #waiting
+  #clipCount
+  #started = false
+  #ready = false
+
+  constructor(module, clips, options) {
+    this.#module = module
+    if (!Array.isArray(clips)) refuse(module, 'the list of clips', clips, 'an array of {name, text}')
+    this.#waiting = clips.map((clip, index) => {
+      if (typeof clip !== 'object' || clip === null) refuse(module, `clip ${index}`, clip, '{name, text}')
+      return {
+        name: textOf(module, `the name of clip ${index}`, clip.name),
+        text: textOf(module, `the text of clip ${index}`, clip.text),
+      }
+    })
+    this.#clipCount = this.#waiting.length
+    this.#handle = new Handle(module, unpack(module.Builder.create(options)), 'build')
+  }
+
+  get progress() {
+    const read = this.#clipCount === 0 ? 1 : 1 - this.#waiting.length / this.#clipCount
+    return readingShare * read + (1 - readingShare) * this.#handle.raw.progress()
+  }
+
+  /** Some milliseconds of work; false when nothing is left but finish(). */
+  step() {
+    const raw = this.#handle.raw
+    const clip = this.#waiting.shift()
+    if (clip) {
+      unpack(raw.addClip(clip.name, clip.text))
+      return true
+    }
+    if (!this.#started) {
+      unpack(raw.start())
+      this.#started = true
+      return true
+    }
+    this.#ready = !raw.step()
+    return !this.#ready
+  }
+
+  finish() {
+    while (!this.#ready) this.step()
+    try {
+      const { library, report } = unpack(this.#handle.raw.finish())
+      return new Library(this.#module, library, report)
+    } finally {
+      this.cancel()
+    }
+  }
+
+  cancel() {
+    this.#handle.delete()
+  }
+}
+
+const pause = () => new Promise((resolve) => setTimeout(resolve, 0))
+
+/** The engine, loaded. */
+class Stridegraph {
+  #module
+  #heap
+
+  constructor(module, heap) {
+    this.#module = module
+    this.#heap = heap
+    this.errorCodes = Object.freeze(module.errorCodes())
+  }
+
+  get memory() {
+    return { heapBytes: this.#heap().byteLength, usedBytes: this.#module.usedBytes() }
+  }
+
+  openLibrary(bytes) {
+    return new Library(this.#module, unpack(this.#module.Library.open(bytesOf(this.#module, bytes))))
+  }
+
+  startBuild(clips, options) {
+    return new LibraryBuild(this.#module, clips, options)
+  }
+
+  buildLibrary(clips, options) {
+    const build = this.startBuild(clips, options)
+    try {
+      return build.finish()
+    } finally {
+      build.cancel()
+    }
+  }
+
+  async buildLibraryAsync(clips, options, { onProgress, signal, sliceMs = 12 } = {}) {
+    signal?.throwIfAborted()
+    const build = this.startBuild(clips, options)
+    try {
+      for (let more = true; more;) {
+        const end = performance.now() + sliceMs
+        while (more && performance.now() < end) more = build.step()
+        onProgress?.(build.progress)
+        await pause()
+        signal?.throwIfAborted()
+      }
+      return build.finish()
+    } finally {
+      build.cancel()
+    }
+  }
+
+  encodeLink(scene, options) {
+    return unpack(this.#module.encodeLink(sceneTextOf(this.#module, scene), options))
+  }
+
+  decodeLink(text) {
+    const { scene, search, libraryHash } = unpack(
+      this.#module.decodeLink(textOf(this.#module, 'the link', text)),
+    )
+    return { scene: JSON.parse(scene), search, libraryHash }
+  }
+}
+
+async function compile(url, bytes) {
+  if (bytes) return WebAssembly.compile(bytes)
+  if (url.protocol === 'file:') {
+    const { readFile } = await import('node:fs/promises')
+    return WebAssembly.compile(await readFile(url))
+  }
+  const response = await fetch(url)
+  if (!response.ok) throw new Error(`${url} answered ${response.status} ${response.statusText}`)
+  const isWasm = response.headers.get('Content-Type')?.startsWith('application/wasm')
+  return isWasm ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer())
+}
+
+/** Loads the engine; see stridegraph.d.ts. */
+export async function loadStridegraph({ wasmBinary, wasmUrl } = {}) {
+  const url = new URL(wasmUrl ?? 'stridegraph_module.wasm', import.meta.url)
+  const compiled = await compile(url, wasmBinary)
+  let memory
+  const module = await new Promise((resolve, reject) => {
+    const instantiateWasm = (imports, done) => {
+      WebAssembly.instantiate(compiled, imports).then((instance) => {
+        memory = Object.values(instance.exports).find((value) => value instanceof WebAssembly.Memory)
+        done(instance)
+      }, reject)
+      return {}
+    }
+    createStridegraphModule({ instantiateWasm }).then(resolve, reject)
+  })
+  return new Stridegraph(module, () => memory.buffer)
+}

@@ -1,0 +1,178 @@
+#include "walk_values.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "js_values.h"
+#include "motion/bvh_writer.h"
+#include "motion/glb_writer.h"
+#include "motion/kinematics.h"
+
+namespace stridegraph::bindings {
+namespace {
+
+using emscripten::val;
+
+std::vector<double> rootPositionsOf(const Clip& clip) {
+  std::vector<double> numbers;
+  numbers.reserve(clip.rootPositions.size() * 3);
+  for (const Vec3& position : clip.rootPositions) {
+    numbers.insert(numbers.end(), {position.x(), position.y(), position.z()});
+  }
+  return numbers;
+}
+
+std::vector<double> rotationsOf(const Clip& clip) {
+  std::vector<double> numbers;
+  numbers.reserve(clip.rotations.size() * 4);
+  for (const Quat& rotation : clip.rotations) {
+    numbers.insert(numbers.end(), {rotation.w(), rotation.x(), rotation.y(), rotation.z()});
+  }
+  return numbers;
+}
+
+std::vector<float> worldPositionsOf(const Skeleton& skeleton, const Clip& clip) {
+  std::vector<float> numbers;
+  numbers.reserve(clip.rotations.size() * 3);
+  std::vector<JointPlacement> placements(skeleton.size());
+  for (std::size_t frame = 0; frame < clip.frameCount(); ++frame) {
+    placeJoints(skeleton, clip.pose(frame), placements);
+    for (const JointPlacement& placement : placements) {
+      for (const double coordinate : placement.position) numbers.push_back(static_cast<float>(coordinate));
+    }
+  }
+  return numbers;
+}
+
+std::vector<std::uint8_t> blendedFrames(const Plan& plan) {
+  std::vector<std::uint8_t> flags;
+  flags.reserve(plan.frameKinds.size());
+  for (const EdgeKind kind : plan.frameKinds) flags.push_back(kind == EdgeKind::kTransition ? 1 : 0);
+  return flags;
+}
+
+std::vector<Vec2> roadmapEnds(const Plan& plan) {
+  std::vector<Vec2> ends;
+  ends.reserve(plan.roadmap.size() * 2);
+  for (const auto& [from, to] : plan.roadmap) ends.insert(ends.end(), {from, to});
+  return ends;
+}
+
+val jointValue(const Joint& joint) {
+  val value = val::object();
+  value.set("name", joint.name);
+  value.set("parent", joint.parent ? static_cast<double>(joint.parent->value) : -1.0);
+  value.set("isEndSite", joint.isEndSite);
+  val offset = val::array();
+  for (const double coordinate : joint.offset) offset.call<void>("push", coordinate);
+  value.set("offset", offset);
+  return value;
+}
+
+Joint jointFrom(const val& value) {
+  Joint joint;
+  joint.name = value["name"].as<std::string>();
+  const double parent = value["parent"].as<double>();
+  if (parent >= 0) joint.parent = JointIndex(static_cast<std::size_t>(parent));
+  joint.isEndSite = value["isEndSite"].as<bool>();
+  for (int axis = 0; axis < 3; ++axis) joint.offset[axis] = value["offset"][axis].as<double>();
+  return joint;
+}
+
+/// What skeletonValue and planValue made, back in core's own types.
+struct ExportedWalk {
+  Skeleton skeleton;
+  BvhLayout layout;
+  Clip clip;
+};
+
+void readSkeleton(const val& value, ExportedWalk& walk) {
+  const auto joints = emscripten::vecFromJSArray<val>(value["joints"]);
+  const auto channels = emscripten::vecFromJSArray<val>(value["channels"]);
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    walk.skeleton.joints.push_back(jointFrom(joints[i]));
+    std::vector<BvhChannel> channelsOfJoint;
+    for (const int channel : emscripten::vecFromJSArray<int>(channels[i])) {
+      channelsOfJoint.push_back(static_cast<BvhChannel>(channel));
+    }
+    walk.layout.channels.push_back(std::move(channelsOfJoint));
+  }
+  walk.layout.endSiteNames = emscripten::vecFromJSArray<std::string>(value["endSiteNames"]);
+  walk.layout.unitsPerMetre = value["unitsPerMetre"].as<double>();
+  walk.layout.up = static_cast<UpAxis>(value["up"].as<int>());
+}
+
+void readClip(const val& value, ExportedWalk& walk) {
+  const auto roots = emscripten::convertJSArrayToNumberVector<double>(value["rootPositions"]);
+  const auto rotations = emscripten::convertJSArrayToNumberVector<double>(value["rotations"]);
+  walk.clip.name = "walk";
+  walk.clip.framesPerSecond = value["fps"].as<double>();
+  walk.clip.jointCount = walk.skeleton.size();
+  for (std::size_t i = 0; i + 2 < roots.size(); i += 3) {
+    walk.clip.rootPositions.emplace_back(roots[i], roots[i + 1], roots[i + 2]);
+  }
+  for (std::size_t i = 0; i + 3 < rotations.size(); i += 4) {
+    walk.clip.rotations.emplace_back(rotations[i], rotations[i + 1], rotations[i + 2], rotations[i + 3]);
+  }
+}
+
+ExportedWalk readWalk(const val& skeleton, const val& walk) {
+  ExportedWalk exported;
+  readSkeleton(skeleton, exported);
+  readClip(walk, exported);
+  return exported;
+}
+
+}  // namespace
+
+val skeletonValue(const Skeleton& skeleton, const BvhLayout& layout) {
+  val joints = val::array();
+  for (const Joint& joint : skeleton.joints) joints.call<void>("push", jointValue(joint));
+  val channels = val::array();
+  for (const auto& channelsOfJoint : layout.channels) {
+    val list = val::array();
+    for (const BvhChannel channel : channelsOfJoint) list.call<void>("push", static_cast<int>(channel));
+    channels.call<void>("push", list);
+  }
+  val endSiteNames = val::array();
+  for (const std::string& name : layout.endSiteNames) endSiteNames.call<void>("push", name);
+
+  val value = val::object();
+  value.set("joints", joints);
+  value.set("channels", channels);
+  value.set("endSiteNames", endSiteNames);
+  value.set("unitsPerMetre", layout.unitsPerMetre);
+  value.set("up", static_cast<int>(layout.up));
+  return value;
+}
+
+val planValue(const Skeleton& skeleton, const Plan& plan) {
+  val value = val::object();
+  value.set("status", std::string(planStatusName(plan.report.status)));
+  value.set("report", toJson(plan.report));
+  value.set("fps", plan.walk.framesPerSecond);
+  value.set("frames", static_cast<double>(plan.walk.frameCount()));
+  value.set("rootPositions", copyOut<double>(rootPositionsOf(plan.walk)));
+  value.set("rotations", copyOut<double>(rotationsOf(plan.walk)));
+  value.set("positions", copyOut<float>(worldPositionsOf(skeleton, plan.walk)));
+  value.set("blended", copyOut<std::uint8_t>(blendedFrames(plan)));
+  value.set("contacts", copyOut<ContactMask>(plan.contacts));
+  value.set("path", floorPoints(plan.path));
+  value.set("subgoals", floorPoints(plan.subgoals));
+  value.set("roadmap", floorPoints(roadmapEnds(plan)));
+  return value;
+}
+
+val walkToBvh(const val& skeleton, const val& walk) {
+  const ExportedWalk exported = readWalk(skeleton, walk);
+  return succeed(val(writeBvh(exported.skeleton, exported.layout, exported.clip)));
+}
+
+val walkToGlb(const val& skeleton, const val& walk) {
+  const ExportedWalk exported = readWalk(skeleton, walk);
+  const std::vector<std::uint8_t> bytes = writeGlb(exported.skeleton, exported.clip);
+  return succeed(copyOut<std::uint8_t>(bytes));
+}
+
+}  // namespace stridegraph::bindings
