@@ -1,0 +1,173 @@
+#include "motion/gait_feet.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "base/check.h"
+#include "motion/gait_footprint.h"
+
+namespace stridegraph {
+namespace {
+
+constexpr double kWalkReach = 0.996;  ///< Longest leg in stance, as a share of its length.
+constexpr double kJogReach = 0.988;
+constexpr double kLongestLeg = 0.999;    ///< In swing, and where all else fails.
+constexpr double kWalkLowering = 0.020;  ///< Most that the root is lowered for a leg in stance, metres.
+constexpr double kJogLowering = 0.004;
+constexpr double kLargestRelease = 0.35;    ///< Share of a stance that may be given up at its end.
+constexpr double kClearanceMetres = 0.014;  ///< Heel and toe end over the floor in the middle of a swing.
+
+/// One foot through the whole clip.
+struct Foot {
+  Leg leg;
+  std::vector<FootMotion> motion;
+  std::vector<Vec3> hips;  ///< Where the hip joint is, world.
+  std::vector<bool> down;
+  std::vector<FootCorrection> corrections;
+};
+
+Foot footOf(const Skeleton& skeleton, const GaitTrack& track, const Clip& clip, Side side) {
+  Foot foot;
+  foot.leg = gaitLeg(side);
+  const std::size_t toes = foot.leg.ankle.value + 1;
+  const Vec3 walkHeel = gaitHeel(Gait::kWalk);
+  const Vec3 jogHeel = gaitHeel(Gait::kJog);
+  for (std::size_t f = 0; f < clip.frameCount(); ++f) {
+    const PoseView pose = clip.pose(f);
+    const JointPlacement ankle = placeJoint(skeleton, pose, foot.leg.ankle);
+    const double jog = track.moments[f].jogShare;
+    const Vec3 toeEnd =
+        skeleton.joints[toes].offset + pose.rotations[toes] * skeleton.joints[toes + 1].offset;
+    foot.motion.push_back({ankle.position, ankle.rotation, walkHeel + jog * (jogHeel - walkHeel), toeEnd});
+    foot.hips.push_back(placeJoint(skeleton, pose, foot.leg.hip).position);
+  }
+  foot.down.assign(clip.frameCount(), false);
+  foot.corrections.resize(clip.frameCount());
+  return foot;
+}
+
+double reachAt(const GaitMoment& moment, double legMetres) {
+  return legMetres * std::lerp(kWalkReach, kJogReach, moment.jogShare);
+}
+
+/// Corrects every stance, and ends it before the leg would get too long.
+void pinStances(const GaitTrack& track, Side side, double legMetres, Foot& foot) {
+  for (const Stance& stance : stancesOf(track, side)) {
+    const Footprint print = footprintOf(foot.motion, track, stance);
+    for (std::size_t f = stance.first; f <= stance.last; ++f) {
+      foot.corrections[f] = correctionTo(print, foot.motion[f]);
+      const double share =
+          static_cast<double>(f - stance.first) / static_cast<double>(stance.last - stance.first + 1);
+      if (share > 0.5)
+        liftHeel(foot.motion[f], foot.hips[f], reachAt(track.moments[f], legMetres), foot.corrections[f]);
+      foot.down[f] = true;
+    }
+    const double length = static_cast<double>(stance.last - stance.first);
+    const auto spare = static_cast<std::size_t>(kLargestRelease * length);
+    for (std::size_t f = stance.last; f > stance.last - spare; --f) {
+      const Vec3 ankle = foot.motion[f].ankle + foot.corrections[f].place;
+      if ((ankle - foot.hips[f]).norm() <= reachAt(track.moments[f], legMetres)) break;
+      foot.down[f] = false;
+    }
+  }
+}
+
+/// Each value becomes the largest within `reach` frames, then a bell-shaped mean: an envelope without
+/// corners.
+std::vector<double> envelope(const std::vector<double>& values, std::ptrdiff_t reach) {
+  const auto last = static_cast<std::ptrdiff_t>(values.size()) - 1;
+  const auto at = [last](const std::vector<double>& list, std::ptrdiff_t i) {
+    return list[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(i, 0, last))];
+  };
+  std::vector<double> largest = values;
+  for (std::ptrdiff_t i = 0; i <= last; ++i)
+    for (std::ptrdiff_t k = -reach; k <= reach; ++k)
+      largest[static_cast<std::size_t>(i)] =
+          std::max(largest[static_cast<std::size_t>(i)], at(values, i + k));
+  std::vector<double> result = values;
+  for (std::ptrdiff_t i = 0; i <= last; ++i) {
+    double sum = 0.0;
+    double weights = 0.0;
+    for (std::ptrdiff_t k = -reach; k <= reach; ++k) {
+      const double weight =
+          1.0 + std::cos(std::numbers::pi * static_cast<double>(k) / static_cast<double>(reach + 1));
+      sum += weight * at(largest, i + k);
+      weights += weight;
+    }
+    result[static_cast<std::size_t>(i)] = sum / weights;
+  }
+  return result;
+}
+
+/// Lifts the swinging foot where it would come too near to the floor.
+void clearFloor(Foot& foot) {
+  const std::size_t count = foot.down.size();
+  std::vector<double> lift(count, 0.0);
+  std::size_t f = 0;
+  while (f < count) {
+    if (foot.down[f]) {
+      ++f;
+      continue;
+    }
+    std::size_t next = f;
+    while (next < count && !foot.down[next]) ++next;
+    for (std::size_t i = f; i < next; ++i) {
+      const double share = static_cast<double>(i - f + 1) / static_cast<double>(next - f + 1);
+      const double wanted = kClearanceMetres * std::pow(std::sin(std::numbers::pi * share), 2.0);
+      const FootMotion now = corrected(foot.motion[i], foot.corrections[i]);
+      lift[i] = std::max(0.0, kGaitSoleMetres + wanted - std::min(now.heel().y(), now.toe().y()));
+    }
+    f = next;
+  }
+  const std::vector<double> smooth = envelope(lift, 2);
+  for (std::size_t i = 0; i < count; ++i)
+    if (!foot.down[i]) foot.corrections[i].place.y() += smooth[i];
+}
+
+/// How far the root must come down at each frame for the legs in stance.
+std::vector<double> rootLowering(const GaitTrack& track, const std::array<Foot, 2>& feet, double legMetres) {
+  std::vector<double> lowering(track.moments.size(), 0.0);
+  for (const Foot& foot : feet) {
+    for (std::size_t f = 0; f < lowering.size(); ++f) {
+      if (!foot.down[f]) continue;
+      const Vec3 ankle = foot.motion[f].ankle + foot.corrections[f].place;
+      const double reach = reachAt(track.moments[f], legMetres);
+      const double across = (onFloor(ankle) - onFloor(foot.hips[f])).norm();
+      const double up = std::sqrt(std::max(0.0, reach * reach - across * across));
+      lowering[f] = std::max(lowering[f], foot.hips[f].y() - ankle.y() - up);
+    }
+  }
+  lowering = envelope(lowering, 3);
+  for (std::size_t f = 0; f < lowering.size(); ++f)
+    lowering[f] = std::min(lowering[f], std::lerp(kWalkLowering, kJogLowering, track.moments[f].jogShare));
+  return lowering;
+}
+
+}  // namespace
+
+void plantFeet(const GaitTrack& track, Clip& clip) {
+  STRIDEGRAPH_CHECK(track.moments.size() == clip.frameCount());
+  const Skeleton skeleton = gaitSkeleton();
+  const double legMetres = legLengths(skeleton, gaitLeg(Side::kLeft)).whole();
+  std::array<Foot, 2> feet = {footOf(skeleton, track, clip, Side::kLeft),
+                              footOf(skeleton, track, clip, Side::kRight)};
+  pinStances(track, Side::kLeft, legMetres, feet[0]);
+  pinStances(track, Side::kRight, legMetres, feet[1]);
+  for (Foot& foot : feet) {
+    carryThroughSwing(foot.down, foot.corrections);
+    clearFloor(foot);
+  }
+  const std::vector<double> lowering = rootLowering(track, feet, legMetres);
+  for (std::size_t f = 0; f < clip.frameCount(); ++f) {
+    clip.rootPositions[f].y() -= lowering[f];
+    for (const Foot& foot : feet) {
+      const FootMotion target = corrected(foot.motion[f], foot.corrections[f]);
+      solveLeg(skeleton, foot.leg, {target.ankle, target.rotation}, kLongestLeg, clip.rootPositions[f],
+               clip.rotationsOf(f));
+    }
+  }
+}
+
+}  // namespace stridegraph
