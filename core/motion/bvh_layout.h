@@ -24,4 +24,8 @@ struct BvhLayout {
   UpAxis up = UpAxis::kY;
 };
 
+/// The plainest layout: position and zxy rotation channels at the root, zxy rotations elsewhere, centimetres,
+/// y up.
+BvhLayout standardBvhLayout(const Skeleton& skeleton);
+
 }  // namespace stridegraph

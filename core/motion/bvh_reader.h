@@ -12,7 +12,7 @@ namespace stridegraph {
 
 /// How to understand a file's numbers; what is empty is inferred and reported as a warning where it is odd.
 struct BvhReadParams {
-  std::optional<double> unitsPerMetre;  ///< > 0. Inferred from the skeleton's height.
+  std::optional<double> unitsPerMetre;  ///< 1e-6 to 1e9. Inferred from the skeleton's height.
   std::optional<UpAxis> up;             ///< Inferred from where the body extends.
 };
 
@@ -24,10 +24,11 @@ struct BvhDocument {
   Warnings warnings;
 };
 
-/// Reads a BVH text. `name` becomes the clip's name and the file in messages. Position channels replace a
-/// joint's OFFSET; where a joint below the root really moves against its parent, its mean offset is taken,
-/// with a warning. Fails with kBvhSyntax or kBvhValue and the place: line and column of what was found, and
-/// what was expected.
+/// Reads a BVH text as tools really write it: any line ends, blanks in names, channels in any order and
+/// number, numbers glued by a minus sign, rows wrapped or a few too many. `name` becomes the clip's name and
+/// the file in messages. Position channels replace a joint's OFFSET; where a joint below the root really
+/// moves against its parent, its mean offset is taken, with a warning. Fails with kBvhSyntax or kBvhValue and
+/// the place: line and column of what was found, and what was expected.
 Result<BvhDocument> readBvh(std::string_view text, std::string_view name, const BvhReadParams& params = {});
 
 }  // namespace stridegraph

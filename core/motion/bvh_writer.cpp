@@ -1,0 +1,169 @@
+#include "motion/bvh_writer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <utility>
+
+#include "base/check.h"
+#include "motion/bvh_conventions.h"
+#include "motion/bvh_euler_track.h"
+
+namespace stridegraph {
+namespace {
+
+constexpr std::size_t kDeepestIndent = 64;
+
+bool isPosition(BvhChannel channel) {
+  return channel <= BvhChannel::kZPosition;
+}
+
+constexpr std::array<std::string_view, 6> kChannelNames = {"Xposition", "Yposition", "Zposition",
+                                                           "Xrotation", "Yrotation", "Zrotation"};
+
+/// A joint's channels as they are written, and where its numbers come from.
+struct JointColumns {
+  std::vector<BvhChannel> channels;
+  BvhEulerTrack track;
+};
+
+BvhChannel rotationChannel(Axis axis) {
+  return static_cast<BvhChannel>(static_cast<int>(BvhChannel::kXRotation) + static_cast<int>(axis));
+}
+
+class BvhWriter {
+ public:
+  BvhWriter(const Skeleton& skeleton, const BvhLayout& layout, const Clip& clip)
+      : skeleton_(skeleton), layout_(layout), clip_(clip) {}
+
+  std::string write() {
+    for (std::size_t j = 0; j < skeleton_.size(); ++j) columns_.push_back(columnsOf(j));
+    append("HIERARCHY\n");
+    writeHierarchy();
+    append("MOTION\nFrames: {}\nFrame Time: {:.10f}\n", clip_.frameCount(), 1.0 / clip_.framesPerSecond);
+    for (std::size_t f = 0; f < clip_.frameCount(); ++f) writeRow(f);
+    return fmt::to_string(text_);
+  }
+
+ private:
+  template <typename... Args>
+  void append(fmt::format_string<Args...> format, Args&&... args) {
+    fmt::format_to(std::back_inserter(text_), format, std::forward<Args>(args)...);
+  }
+
+  JointColumns columnsOf(std::size_t j) const {
+    const Joint& joint = skeleton_.joints[j];
+    if (joint.isEndSite) return {};
+    JointColumns columns;
+    std::vector<Axis> axes;
+    for (const BvhChannel channel : layout_.channels[j]) {
+      if (isPosition(channel)) continue;
+      axes.push_back(static_cast<Axis>(static_cast<int>(channel) % 3));
+    }
+    if (!joint.parent) axes = withAllAxes(std::move(axes));
+    std::vector<Quat> rotations;
+    rotations.reserve(clip_.frameCount());
+    for (std::size_t f = 0; f < clip_.frameCount(); ++f) {
+      rotations.push_back(fileFromCore(layout_.up, clip_.rotations[f * clip_.jointCount + j]));
+    }
+    columns.track = bvhEulerTrack(std::move(axes), rotations);
+    columns.channels = channelsOf(j, columns.track.axes);
+    return columns;
+  }
+
+  /// The layout's channels with what is missing: at the root positions in front, anywhere axes at the end.
+  std::vector<BvhChannel> channelsOf(std::size_t j, const std::vector<Axis>& axes) const {
+    std::vector<BvhChannel> channels = layout_.channels[j];
+    const auto isMissing = [&](BvhChannel channel) {
+      return std::find(channels.begin(), channels.end(), channel) == channels.end();
+    };
+    if (!skeleton_.joints[j].parent) {
+      for (const BvhChannel channel :
+           {BvhChannel::kZPosition, BvhChannel::kYPosition, BvhChannel::kXPosition}) {
+        if (isMissing(channel)) channels.insert(channels.begin(), channel);
+      }
+    }
+    for (const Axis axis : axes) {
+      if (isMissing(rotationChannel(axis))) channels.push_back(rotationChannel(axis));
+    }
+    return channels;
+  }
+
+  void writeHierarchy() {
+    std::vector<std::size_t> open;
+    for (std::size_t j = 0; j < skeleton_.size(); ++j) {
+      const Joint& joint = skeleton_.joints[j];
+      while (!open.empty() && JointIndex(open.back()) != joint.parent) close(open);
+      STRIDEGRAPH_CHECK(open.empty() == (j == 0));
+      writeJoint(j, open.size());
+      open.push_back(j);
+    }
+    while (!open.empty()) close(open);
+  }
+
+  void close(std::vector<std::size_t>& open) {
+    open.pop_back();
+    append("{}}}\n", indent(open.size()));
+  }
+
+  void writeJoint(std::size_t j, std::size_t depth) {
+    const Joint& joint = skeleton_.joints[j];
+    const std::string margin = indent(depth);
+    if (joint.isEndSite) {
+      const std::string& name = layout_.endSiteNames[j];
+      append("{}End Site{}{}\n{}{{\n", margin, name.empty() ? "" : " ", name, margin);
+    } else {
+      append("{}{} {}\n{}{{\n", margin, joint.parent ? "JOINT" : "ROOT", joint.name, margin);
+    }
+    const Vec3 offset = fileFromCore(layout_.up, joint.offset) * layout_.unitsPerMetre;
+    append("{}\tOFFSET {:.6f} {:.6f} {:.6f}\n", margin, offset.x(), offset.y(), offset.z());
+    if (joint.isEndSite) return;
+    append("{}\tCHANNELS {}", margin, columns_[j].channels.size());
+    for (const BvhChannel channel : columns_[j].channels) {
+      append(" {}", kChannelNames[static_cast<std::size_t>(channel)]);
+    }
+    append("\n");
+  }
+
+  void writeRow(std::size_t f) {
+    bool isFirst = true;
+    for (std::size_t j = 0; j < skeleton_.size(); ++j) {
+      const Joint& joint = skeleton_.joints[j];
+      const Vec3& translation = joint.parent ? joint.offset : clip_.rootPositions[f];
+      const Vec3 position = fileFromCore(layout_.up, translation) * layout_.unitsPerMetre;
+      std::size_t angle = 0;
+      for (const BvhChannel channel : columns_[j].channels) {
+        if (!isFirst) text_.push_back(' ');
+        isFirst = false;
+        if (isPosition(channel)) {
+          append("{:.6f}", position[static_cast<Eigen::Index>(channel)]);
+        } else {
+          append("{:.5f}", columns_[j].track.degrees[f][angle++]);
+        }
+      }
+    }
+    append("\n");
+  }
+
+  /// Tabs by depth, up to where the indent of a very deep hierarchy would outgrow everything else.
+  static std::string indent(std::size_t depth) { return std::string(std::min(depth, kDeepestIndent), '\t'); }
+
+  const Skeleton& skeleton_;
+  const BvhLayout& layout_;
+  const Clip& clip_;
+  std::vector<JointColumns> columns_;
+  fmt::memory_buffer text_;
+};
+
+}  // namespace
+
+std::string writeBvh(const Skeleton& skeleton, const BvhLayout& layout, const Clip& clip) {
+  STRIDEGRAPH_CHECK(layout.channels.size() == skeleton.size() &&
+                    layout.endSiteNames.size() == skeleton.size());
+  STRIDEGRAPH_CHECK(clip.jointCount == skeleton.size());
+  return BvhWriter(skeleton, layout, clip).write();
+}
+
+}  // namespace stridegraph
