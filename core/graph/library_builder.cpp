@@ -107,7 +107,11 @@ void LibraryBuilder::State::level() {
   const Warnings warnings = levelFloors(library.skeleton, clips);
   report.warnings.insert(report.warnings.end(), warnings.begin(), warnings.end());
   mirrored.assign(clips.size(), false);
-  enter(library.params.mirror ? Stage::kMirror : Stage::kFeatures);
+  if (!library.params.mirror) return enter(Stage::kFeatures);
+  Result<MirrorMap> map = findMirrorMap(library.skeleton, clips);
+  if (!map) return refuse(map.error().code, map.error().message);
+  mirrorMap = std::move(*map);
+  enter(Stage::kMirror);
 }
 
 void LibraryBuilder::State::mirrorOne() {
@@ -213,11 +217,6 @@ Result<LibraryBuilder> LibraryBuilder::start(std::vector<BvhDocument> clips, con
   state->library.layout = clips.front().layout;
   state->library.params = params;
   state->library.license = std::move(license);
-  if (params.mirror) {
-    Result<MirrorMap> map = findMirrorMap(state->library.skeleton);
-    if (!map) return fail(std::move(map));
-    state->mirrorMap = std::move(*map);
-  }
   state->documents = std::move(clips);
   return LibraryBuilder(std::move(state));
 }
