@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion/contacts.h"
 #include "motion/resample.h"
 
 namespace stridegraph {
@@ -27,26 +26,23 @@ Clip atLibraryRate(const Clip& clip, double framesPerSecond) {
   return same;
 }
 
-Warnings levelFloors(const Skeleton& skeleton, std::span<Clip> clips) {
+std::vector<double> floorLiftsMetres(std::span<const double> floorLevelsMetres) {
   constexpr double kSameFloorMetres = 0.01;
-  const FootJoints feet = findFootJoints(skeleton, clips);
-  std::vector<double> levels;
-  for (const Clip& clip : clips) levels.push_back(floorLevelMetres(skeleton, clip, feet.joints));
-  std::vector<double> sorted = levels;
+  std::vector<double> sorted(floorLevelsMetres.begin(), floorLevelsMetres.end());
   std::sort(sorted.begin(), sorted.end());
-  const double middle = sorted[(sorted.size() - 1) / 2];
-  Warnings warnings;
-  for (std::size_t c = 0; c < clips.size(); ++c) {
-    const double lift = middle - levels[c];
-    if (std::abs(lift) <= kSameFloorMetres) continue;
-    for (Vec3& root : clips[c].rootPositions) root.y() += lift;
-    warnings.push_back(
-        {fmt::format("its floor lies {:.1f} cm {} that of the other clips; it was {} to theirs",
-                     100.0 * std::abs(lift), lift < 0.0 ? "above" : "below",
-                     lift < 0.0 ? "lowered" : "raised"),
-         {clips[c].name}});
+  std::vector<double> lifts;
+  for (const double level : floorLevelsMetres) {
+    const double lift = sorted[(sorted.size() - 1) / 2] - level;
+    lifts.push_back(std::abs(lift) > kSameFloorMetres ? lift : 0.0);
   }
-  return warnings;
+  return lifts;
+}
+
+Warning liftWarning(const std::string& clipName, double liftMetres) {
+  return {fmt::format("its floor lies {:.1f} cm {} that of the other clips; it was {} to theirs",
+                      100.0 * std::abs(liftMetres), liftMetres < 0.0 ? "above" : "below",
+                      liftMetres < 0.0 ? "lowered" : "raised"),
+          {clipName}};
 }
 
 void roundToFloats(const Skeleton& skeleton, Clip& clip) {

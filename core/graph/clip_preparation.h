@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "base/error.h"
@@ -13,9 +14,12 @@ namespace stridegraph {
 /// file's rounded frame time does not blur what was captured.
 Clip atLibraryRate(const Clip& clip, double framesPerSecond);
 
-/// Brings the floors of clips to one level where they differ: clips whose feet keep to a level more than a
-/// centimetre off the middle one are raised or lowered to it. One warning for each.
-Warnings levelFloors(const Skeleton& skeleton, std::span<Clip> clips);
+/// How far each clip has to be lifted so that floors are at one height: nothing where it is within a
+/// centimetre of the middle one, else up or down to that. Metres.
+std::vector<double> floorLiftsMetres(std::span<const double> floorLevelsMetres);
+
+/// What is said of a clip that was lifted by so much.
+Warning liftWarning(const std::string& clipName, double liftMetres);
 
 /// Rounds every number to the 32 bit float that files hold, and end sites to no rotation, so that a library
 /// in memory and the same one from a file are equal.

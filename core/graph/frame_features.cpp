@@ -31,13 +31,12 @@ float selfProduct(const float* columns, std::size_t stride, std::size_t terms, s
 FeatureBasis featureBasis(const Skeleton& skeleton, std::span<const Clip> clips) {
   const std::vector<double> weights = distanceWeights(skeleton);
   std::vector<double> heightSums(skeleton.size(), 0.0);
-  std::size_t frames = 0;
+  double frames = 0.0;
   for (const Clip& clip : clips) {
-    frames += clip.frameCount();
-    for (std::size_t f = 0; f < clip.frameCount(); ++f) {
-      const std::vector<Vec3> positions = jointPositions(skeleton, clip.pose(f));
-      for (std::size_t j = 0; j < skeleton.size(); ++j) heightSums[j] += positions[j].y();
-    }
+    if (clip.frameCount() == 0) continue;
+    const std::vector<Vec3> positions = jointPositions(skeleton, clip.pose(clip.frameCount() / 2));
+    for (std::size_t j = 0; j < skeleton.size(); ++j) heightSums[j] += positions[j].y();
+    frames += 1.0;
   }
   FeatureBasis basis;
   double total = 0.0;
@@ -46,7 +45,7 @@ FeatureBasis featureBasis(const Skeleton& skeleton, std::span<const Clip> clips)
     if (weights[j] == 0.0) continue;
     basis.joints.emplace_back(j);
     basis.weights.push_back(weights[j] / (total * static_cast<double>(kWindowFrames)));
-    basis.meanHeightsMetres.push_back(frames == 0 ? 0.0 : heightSums[j] / static_cast<double>(frames));
+    basis.meanHeightsMetres.push_back(frames == 0.0 ? 0.0 : heightSums[j] / frames);
   }
   return basis;
 }

@@ -10,9 +10,10 @@ namespace stridegraph {
 
 /// What all clips of one comparison share: which joints count, how much, and around which heights.
 struct FeatureBasis {
-  std::vector<JointIndex> joints;         ///< Those of weight > 0.
-  std::vector<double> weights;            ///< For each of them; sum to 1 over a window.
-  std::vector<double> meanHeightsMetres;  ///< Taken off, so that the products below keep their digits.
+  std::vector<JointIndex> joints;  ///< Those of weight > 0.
+  std::vector<double> weights;     ///< For each of them; sum to 1 over a window.
+  std::vector<double>
+      meanHeightsMetres;  ///< Of one frame of each clip. Taken off, so that products keep digits.
 };
 FeatureBasis featureBasis(const Skeleton& skeleton, std::span<const Clip> clips);
 

@@ -22,7 +22,18 @@
 namespace stridegraph {
 namespace {
 
-enum class Stage { kPrepare, kLevel, kMirror, kFeatures, kScan, kConnect, kDone };
+enum class Stage {
+  kPrepare,
+  kFindFeet,
+  kLevel,
+  kMirror,
+  kFeatures,
+  kScan,
+  kConnect,
+  kContacts,
+  kSeal,
+  kDone
+};
 
 ValleyParams valleyParams(const LibraryParams& params) {
   return {.thresholdMetres = params.thresholdMetres, .transitionFrames = params.transitionFrames};
@@ -52,7 +63,10 @@ struct LibraryBuilder::State {
   BuildReport report;
   std::optional<MirrorMap> mirrorMap;
   std::vector<Clip> clips;
-  std::vector<bool> mirrored;  ///< For each of the clips.
+  std::vector<bool> mirrored;               ///< For each of the clips,
+  std::vector<std::vector<double>> levels;  ///< and jointLevelsMetres().
+  std::vector<double> floors;               ///< For each clip that is no mirror image, floorLevelMetres().
+  FootJoints feet;
   FeatureBasis basis;
   std::vector<ClipFeatures> features;
   std::optional<TransitionScan> scan;
@@ -61,12 +75,16 @@ struct LibraryBuilder::State {
   std::size_t next = 0;  ///< Clip at hand in stages that go clip by clip.
 
   void prepareOne();
+  void findFeet();
+  void floorOfOne();
   void level();
   void mirrorOne();
   void featuresOfOne();
   void connect();
+  void addClip(Clip clip, bool isMirrored);
   void collectFrames();
-  void analyseFeet();
+  void contactsOfOne();
+  void seal();
   std::vector<FrameTransition> edgesFrom(const std::vector<FoundTransition>& found) const;
   void countGraph(const MotionGraph& whole);
   void enter(Stage following) {
@@ -92,12 +110,19 @@ void LibraryBuilder::State::prepareOne() {
                      glitch.frame + 1),
          {clip.name}});
   }
-  for (Clip& piece : cutAtGlitches(clip, glitches)) clips.push_back(std::move(piece));
+  for (Clip& piece : cutAtGlitches(clip, glitches)) addClip(std::move(piece), false);
   document = {};
-  if (++next == documents.size()) enter(Stage::kLevel);
+  if (++next == documents.size()) enter(Stage::kFindFeet);
 }
 
-void LibraryBuilder::State::level() {
+void LibraryBuilder::State::addClip(Clip clip, bool isMirrored) {
+  roundToFloats(library.skeleton, clip);
+  levels.push_back(jointLevelsMetres(library.skeleton, clip));
+  clips.push_back(std::move(clip));
+  mirrored.push_back(isMirrored);
+}
+
+void LibraryBuilder::State::findFeet() {
   const std::size_t needed = library.params.transitionFrames + 2 * kWindowReach;
   std::size_t longest = 0;
   for (const Clip& clip : clips) longest = std::max(longest, clip.frameCount());
@@ -105,9 +130,24 @@ void LibraryBuilder::State::level() {
     return refuse(ErrorCode::kClipTooShort,
                   fmt::format("the longest clip has {} frames; transitions of {} need clips of {} at least",
                               longest, library.params.transitionFrames, needed));
-  const Warnings warnings = levelFloors(library.skeleton, clips);
-  report.warnings.insert(report.warnings.end(), warnings.begin(), warnings.end());
-  mirrored.assign(clips.size(), false);
+  feet = findFootJoints(library.skeleton, levels);
+  enter(Stage::kLevel);
+}
+
+void LibraryBuilder::State::floorOfOne() {
+  floors.push_back(floorLevelMetres(library.skeleton, clips[next], feet.joints));
+  if (++next == clips.size()) level();
+}
+
+void LibraryBuilder::State::level() {
+  const std::vector<double> lifts = floorLiftsMetres(floors);
+  for (std::size_t c = 0; c < clips.size(); ++c) {
+    if (lifts[c] == 0.0) continue;
+    for (Vec3& root : clips[c].rootPositions) root.y() += lifts[c];
+    roundToFloats(library.skeleton, clips[c]);
+    for (double& ofJoint : levels[c]) ofJoint += lifts[c];
+    report.warnings.push_back(liftWarning(clips[c].name, lifts[c]));
+  }
   if (!library.params.mirror) return enter(Stage::kFeatures);
   Result<MirrorMap> map = findMirrorMap(library.skeleton, clips);
   if (!map) return refuse(map.error().code, map.error().message);
@@ -118,16 +158,12 @@ void LibraryBuilder::State::level() {
 void LibraryBuilder::State::mirrorOne() {
   Clip mirror = stridegraph::mirrored(library.skeleton, *mirrorMap, clips[next]);
   mirror.name = clips[next].name + " mirrored";
-  clips.push_back(std::move(mirror));
-  mirrored.push_back(true);
+  addClip(std::move(mirror), true);
   if (2 * ++next == clips.size()) enter(Stage::kFeatures);
 }
 
 void LibraryBuilder::State::featuresOfOne() {
-  if (next == 0) {
-    for (Clip& clip : clips) roundToFloats(library.skeleton, clip);
-    basis = featureBasis(library.skeleton, clips);
-  }
+  if (next == 0) basis = featureBasis(library.skeleton, clips);
   features.emplace_back(library.skeleton, basis, clips[next]);
   if (++next < clips.size()) return;
   scan.emplace(std::move(features), valleyParams(library.params));
@@ -144,15 +180,19 @@ void LibraryBuilder::State::collectFrames() {
   }
 }
 
-void LibraryBuilder::State::analyseFeet() {
+void LibraryBuilder::State::contactsOfOne() {
+  if (next == 0) feet = findFootJoints(library.skeleton, levels);
+  const std::vector<std::uint8_t> contacts = footContacts(library.skeleton, clips[next], feet);
+  library.contacts.insert(library.contacts.end(), contacts.begin(), contacts.end());
+  if (++next == clips.size()) enter(Stage::kSeal);
+}
+
+void LibraryBuilder::State::seal() {
   library.facingOffset = facingOffset(clips);
-  const FootJoints feet = findFootJoints(library.skeleton, clips);
   library.contactJoints = feet.joints;
   library.floorHeightMetres = *std::min_element(feet.levelsMetres.begin(), feet.levelsMetres.end());
-  for (const Clip& clip : clips) {
-    const std::vector<std::uint8_t> contacts = footContacts(library.skeleton, clip, feet);
-    library.contacts.insert(library.contacts.end(), contacts.begin(), contacts.end());
-  }
+  library.hash = sgraphHash(library);
+  enter(Stage::kDone);
 }
 
 std::vector<FrameTransition> LibraryBuilder::State::edgesFrom(
@@ -196,9 +236,7 @@ void LibraryBuilder::State::connect() {
             "{} transitions were found within {} m, but no walk along them could go on for ever; more "
             "clips, a larger threshold, shorter transitions or mirroring may help",
             found.size(), library.params.thresholdMetres));
-  analyseFeet();
-  library.hash = sgraphHash(library);
-  enter(Stage::kDone);
+  enter(Stage::kContacts);
 }
 
 LibraryBuilder::LibraryBuilder(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -228,8 +266,11 @@ bool LibraryBuilder::step() {
     case Stage::kPrepare:
       state.prepareOne();
       break;
+    case Stage::kFindFeet:
+      state.findFeet();
+      break;
     case Stage::kLevel:
-      state.level();
+      state.floorOfOne();
       break;
     case Stage::kMirror:
       state.mirrorOne();
@@ -242,6 +283,12 @@ bool LibraryBuilder::step() {
       break;
     case Stage::kConnect:
       state.connect();
+      break;
+    case Stage::kContacts:
+      state.contactsOfOne();
+      break;
+    case Stage::kSeal:
+      state.seal();
       break;
     case Stage::kDone:
       break;
@@ -256,15 +303,22 @@ double LibraryBuilder::progress() const {
   };
   switch (state_->stage) {
     case Stage::kPrepare:
-      return 0.05 * share(state_->documents.size());
+      return 0.04 * share(state_->documents.size());
+    case Stage::kFindFeet:
+      return 0.04;
     case Stage::kLevel:
+      return 0.04 + 0.01 * share(state_->clips.size());
     case Stage::kMirror:
       return 0.05;
     case Stage::kFeatures:
       return 0.05 + 0.05 * share(state_->clips.size());
     case Stage::kScan:
-      return 0.1 + 0.88 * state_->scan->progress();
+      return 0.1 + 0.8 * state_->scan->progress();
     case Stage::kConnect:
+      return 0.9;
+    case Stage::kContacts:
+      return 0.92 + 0.06 * share(state_->clips.size());
+    case Stage::kSeal:
       return 0.98;
     case Stage::kDone:
       break;

@@ -9,33 +9,20 @@
 namespace stridegraph {
 namespace {
 
-using Heights = std::vector<double>;
-
-/// The height that is undercut in 2 % of the frames.
-double levelOf(Heights heights) {
-  STRIDEGRAPH_CHECK(!heights.empty());
-  const auto place = heights.begin() + static_cast<std::ptrdiff_t>((heights.size() - 1) / 50);
-  std::nth_element(heights.begin(), place, heights.end());
-  return *place;
-}
-
-/// For each joint its heights in every frame of the clip.
-std::vector<Heights> heightsOf(const Skeleton& skeleton, const Clip& clip) {
-  std::vector<Heights> heights(skeleton.size());
-  for (std::size_t f = 0; f < clip.frameCount(); ++f) {
-    const std::vector<Vec3> positions = jointPositions(skeleton, clip.pose(f));
-    for (std::size_t j = 0; j < skeleton.size(); ++j) heights[j].push_back(positions[j].y());
-  }
-  return heights;
+/// The value at `share` of the sorted ones; the lower of two.
+double quantile(std::vector<double> values, double share) {
+  STRIDEGRAPH_CHECK(!values.empty());
+  const double place = static_cast<double>(values.size() - 1) * share;
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(place);
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
 }
 
 /// How far above its clip's lowest joint each joint's level lies, in the clip where that is least.
-std::vector<double> heightsAboveFloor(const std::vector<std::vector<Heights>>& clipHeights,
+std::vector<double> heightsAboveFloor(std::span<const std::vector<double>> clipLevels,
                                       std::size_t jointCount) {
   std::vector<double> least(jointCount, std::numeric_limits<double>::infinity());
-  for (const std::vector<Heights>& heights : clipHeights) {
-    std::vector<double> levels;
-    for (const Heights& ofJoint : heights) levels.push_back(levelOf(ofJoint));
+  for (const std::vector<double>& levels : clipLevels) {
     const double floor = *std::min_element(levels.begin(), levels.end());
     for (std::size_t j = 0; j < jointCount; ++j) least[j] = std::min(least[j], levels[j] - floor);
   }
@@ -80,27 +67,58 @@ double speedAt(const std::vector<Vec3>& track, std::size_t f, double framesPerSe
   return (track[after] - track[before]).norm() * framesPerSecond / static_cast<double>(after - before);
 }
 
+/// Lowest height of a track within `reach` frames of frame f.
+double lowestAround(const std::vector<Vec3>& track, std::size_t f, std::size_t reach) {
+  double lowest = track[f].y();
+  const std::size_t last = std::min(track.size() - 1, f + reach);
+  for (std::size_t g = f - std::min(f, reach); g <= last; ++g) lowest = std::min(lowest, track[g].y());
+  return lowest;
+}
+
+/// When one foot joint of this level stands.
+std::vector<bool> contactsOf(const std::vector<Vec3>& track, double levelMetres, double framesPerSecond,
+                             const ContactParams& params) {
+  const auto reach = static_cast<std::size_t>(params.strideSeconds * framesPerSecond);
+  std::vector<bool> contacts(track.size());
+  bool planted = false;
+  for (std::size_t f = 0; f < track.size(); ++f) {
+    const double floor = std::min(lowestAround(track, f, reach), levelMetres + params.warpMetres);
+    const double height = track[f].y() - floor;
+    const double speed = speedAt(track, f, framesPerSecond);
+    planted = planted ? height <= params.endHeightMetres && speed <= params.endSpeedMetresPerSecond
+                      : height <= params.beginHeightMetres && speed <= params.beginSpeedMetresPerSecond;
+    contacts[f] = planted;
+  }
+  return contacts;
+}
+
 }  // namespace
 
-FootJoints findFootJoints(const Skeleton& skeleton, std::span<const Clip> clips,
-                          const ContactParams& params) {
-  std::vector<std::vector<Heights>> clipHeights;
-  for (const Clip& clip : clips) {
-    if (clip.frameCount() > 0) clipHeights.push_back(heightsOf(skeleton, clip));
+std::vector<double> jointLevelsMetres(const Skeleton& skeleton, const Clip& clip) {
+  std::vector<std::vector<double>> heights(skeleton.size());
+  for (std::size_t f = 0; f < clip.frameCount(); ++f) {
+    const std::vector<Vec3> positions = jointPositions(skeleton, clip.pose(f));
+    for (std::size_t j = 0; j < skeleton.size(); ++j) heights[j].push_back(positions[j].y());
   }
-  if (clipHeights.empty()) return {};
-  const std::vector<double> height = heightsAboveFloor(clipHeights, skeleton.size());
+  std::vector<double> levels;
+  for (std::vector<double>& ofJoint : heights) levels.push_back(quantile(std::move(ofJoint), 0.02));
+  return levels;
+}
+
+FootJoints findFootJoints(const Skeleton& skeleton, std::span<const std::vector<double>> clipLevels,
+                          const ContactParams& params) {
+  if (clipLevels.empty()) return {};
+  const std::vector<double> height = heightsAboveFloor(clipLevels, skeleton.size());
   std::vector<std::size_t> candidates;
   for (std::size_t j = 0; j < skeleton.size(); ++j) {
     if (height[j] <= params.footReachMetres) candidates.push_back(j);
   }
   FootJoints feet;
   for (const std::size_t j : lowestOfEveryFoot(skeleton, candidates, height)) {
-    Heights all;
-    for (const std::vector<Heights>& heights : clipHeights)
-      all.insert(all.end(), heights[j].begin(), heights[j].end());
+    std::vector<double> levels;
+    for (const std::vector<double>& ofClip : clipLevels) levels.push_back(ofClip[j]);
     feet.joints.emplace_back(j);
-    feet.levelsMetres.push_back(levelOf(std::move(all)));
+    feet.levelsMetres.push_back(quantile(std::move(levels), 0.5));
   }
   return feet;
 }
@@ -115,13 +133,10 @@ std::vector<std::uint8_t> footContacts(const Skeleton& skeleton, const Clip& cli
   }
   std::vector<std::uint8_t> masks(clip.frameCount(), 0);
   for (std::size_t k = 0; k < tracks.size(); ++k) {
-    bool planted = false;
+    const std::vector<bool> contacts =
+        contactsOf(tracks[k], feet.levelsMetres[k], clip.framesPerSecond, params);
     for (std::size_t f = 0; f < masks.size(); ++f) {
-      const double height = tracks[k][f].y() - feet.levelsMetres[k];
-      const double speed = speedAt(tracks[k], f, clip.framesPerSecond);
-      planted = planted ? height <= params.endHeightMetres && speed <= params.endSpeedMetresPerSecond
-                        : height <= params.beginHeightMetres && speed <= params.beginSpeedMetresPerSecond;
-      if (planted) masks[f] = static_cast<std::uint8_t>(masks[f] | (1U << k));
+      if (contacts[f]) masks[f] = static_cast<std::uint8_t>(masks[f] | (1U << k));
     }
   }
   return masks;
@@ -129,14 +144,14 @@ std::vector<std::uint8_t> footContacts(const Skeleton& skeleton, const Clip& cli
 
 double floorLevelMetres(const Skeleton& skeleton, const Clip& clip, std::span<const JointIndex> feet) {
   STRIDEGRAPH_CHECK(!feet.empty());
-  Heights lowest;
+  std::vector<double> lowest;
   for (std::size_t f = 0; f < clip.frameCount(); ++f) {
     const std::vector<Vec3> positions = jointPositions(skeleton, clip.pose(f));
     double height = std::numeric_limits<double>::infinity();
     for (const JointIndex foot : feet) height = std::min(height, positions[foot.value].y());
     lowest.push_back(height);
   }
-  return levelOf(std::move(lowest));
+  return quantile(std::move(lowest), 0.25);
 }
 
 }  // namespace stridegraph

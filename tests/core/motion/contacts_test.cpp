@@ -21,13 +21,18 @@ Clip legAt(const std::vector<Vec3>& roots) {
   return clip;
 }
 
+std::vector<std::vector<double>> levelsOf(const Skeleton& skeleton, const std::vector<Clip>& clips) {
+  std::vector<std::vector<double>> levels;
+  for (const Clip& clip : clips) levels.push_back(jointLevelsMetres(skeleton, clip));
+  return levels;
+}
+
 FootJoints ankleAtFloor() {
   return {{JointIndex(std::size_t{2})}, {0.0}};
 }
 
 TEST(FindFootJoints, findsAnklesAndToesOfBothFeet) {
-  const std::vector<Clip> clips = {walkOf({.frames = 90})};
-  const FootJoints feet = findFootJoints(walker(), clips);
+  const FootJoints feet = findFootJoints(walker(), levelsOf(walker(), {walkOf({.frames = 90})}));
   std::vector<std::string> names;
   for (const JointIndex joint : feet.joints) names.push_back(walker().joints[joint.value].name);
   EXPECT_EQ(names, (std::vector<std::string>{"leftFoot", "leftFoot#end", "rightFoot", "rightFoot#end"}));
@@ -49,7 +54,7 @@ TEST(FindFootJoints, takesTheLowestOfEveryFootWhenThereAreTooMany) {
             .rootPositions = {},
             .rotations = {}};
   clip.append(restPose(centipede, {0, 1.05, 0}).view());
-  const FootJoints feet = findFootJoints(centipede, std::vector<Clip>{clip});
+  const FootJoints feet = findFootJoints(centipede, levelsOf(centipede, {clip}));
   EXPECT_EQ(feet.joints.size(), kMaxFootJoints);
   std::vector<int> perLeg(3, 0);
   for (const JointIndex joint : feet.joints) ++perLeg[(joint.value - 1) / 5];
@@ -59,15 +64,25 @@ TEST(FindFootJoints, takesTheLowestOfEveryFootWhenThereAreTooMany) {
 TEST(FindFootJoints, judgesClipsOnDifferentFloorsEachForItself) {
   Clip raised = walkOf({.frames = 90});
   for (Vec3& root : raised.rootPositions) root.y() += 0.5;
-  const std::vector<Clip> clips = {walkOf({.frames = 90}), raised};
-  EXPECT_EQ(findFootJoints(walker(), clips).joints.size(), 4U);
+  EXPECT_EQ(findFootJoints(walker(), levelsOf(walker(), {walkOf({.frames = 90}), raised})).joints.size(), 4U);
 }
 
 TEST(FootContacts, standWhileLowAndSlow) {
   const Clip still = legAt(std::vector<Vec3>(5, Vec3(0, 1.0, 0)));
   EXPECT_EQ(footContacts(oneLeg(), still, ankleAtFloor()), std::vector<std::uint8_t>(5, 1));
-  const Clip high = legAt(std::vector<Vec3>(5, Vec3(0, 1.04, 0)));
-  EXPECT_EQ(footContacts(oneLeg(), high, ankleAtFloor()), std::vector<std::uint8_t>(5, 0));
+}
+
+TEST(FootContacts, doNotStandOnAir) {
+  const Clip lifted = legAt(std::vector<Vec3>(5, Vec3(0, 1.1, 0)));
+  EXPECT_EQ(footContacts(oneLeg(), lifted, ankleAtFloor()), std::vector<std::uint8_t>(5, 0));
+}
+
+TEST(FootContacts, standOnAWarpedFloorToo) {
+  // Two seconds on a floor 4 cm higher than the level that was measured elsewhere.
+  const Clip onBump = legAt(std::vector<Vec3>(60, Vec3(0, 1.04, 0)));
+  EXPECT_EQ(footContacts(oneLeg(), onBump, ankleAtFloor()), std::vector<std::uint8_t>(60, 1));
+  EXPECT_EQ(footContacts(oneLeg(), onBump, ankleAtFloor(), {.warpMetres = 0.0}),
+            std::vector<std::uint8_t>(60, 0));
 }
 
 TEST(FootContacts, endWhenTheFootIsFast) {
@@ -80,20 +95,23 @@ TEST(FootContacts, endWhenTheFootIsFast) {
 }
 
 TEST(FootContacts, holdBetweenTheTwoThresholdsOnceBegun) {
-  std::vector<Vec3> roots = {{0, 1.04, 0},  {0, 1.035, 0}, {0, 1.029, 0},
-                             {0, 1.035, 0}, {0, 1.04, 0},  {0, 1.051, 0}};
+  std::vector<Vec3> roots;
+  for (const double centimetres : {4.0, 3.5, 2.9, 3.5, 4.0, 5.1, 5.0, 0.0})
+    roots.emplace_back(0, 1.0 + centimetres / 100.0, 0);
+  // The end shows where the floor is; the last step down is too fast to stand.
   EXPECT_EQ(footContacts(oneLeg(), legAt(roots), ankleAtFloor()),
-            (std::vector<std::uint8_t>{0, 0, 1, 1, 1, 0}));
+            (std::vector<std::uint8_t>{0, 0, 1, 1, 1, 0, 0, 0}));
 }
 
 TEST(FootContacts, numberTheirBitsByFootJoint) {
+  // The ankle's level is far below, so only the toe stands.
   const FootJoints feet{{JointIndex(std::size_t{2}), JointIndex(std::size_t{3})}, {-0.5, 0.0}};
   EXPECT_EQ(footContacts(oneLeg(), legAt({{0, 1, 0}}), feet), std::vector<std::uint8_t>{2});
 }
 
-TEST(FloorLevel, isTheLowestFootsLevelWithoutSingleFrames) {
+TEST(FloorLevel, isWhereTheLowestFootMostlyStands) {
   std::vector<Vec3> roots(100, Vec3(0, 1.02, 0));
-  roots[40].y() = 0.8;
+  for (std::size_t f = 0; f < 20; ++f) roots[f].y() = 0.8;
   EXPECT_NEAR(floorLevelMetres(oneLeg(), legAt(roots), ankleAtFloor().joints), 0.02, 1e-12);
 }
 
