@@ -10,20 +10,18 @@
 #include "base/result.h"
 #include "graph/library.h"
 #include "motion/clip.h"
+#include "path/path_planner.h"
 #include "scene/scene.h"
 
 namespace stridegraph {
 
-enum class PlannerKind { kPrm, kRrtConnect };
 enum class SearchKind { kGuided, kThesis };
 
 /// How a plan ended. Names in reports are planStatusName()'s: "arrived", "start_blocked", ...
 enum class PlanStatus { kArrived, kStartBlocked, kGoalBlocked, kNoPath, kNoMotion, kBudgetSpent };
 
 std::string_view planStatusName(PlanStatus status);
-std::string_view plannerName(PlannerKind planner);  ///< "prm", "rrt-connect"
-std::string_view searchName(SearchKind search);     ///< "guided", "thesis"
-std::optional<PlannerKind> plannerFromName(std::string_view name);
+std::string_view searchName(SearchKind search);  ///< "guided", "thesis"
 std::optional<SearchKind> searchFromName(std::string_view name);
 
 /// What may be asked of a plan beside the scene.
