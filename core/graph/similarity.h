@@ -17,8 +17,8 @@ inline constexpr std::uint32_t kFarMicrometres = 10'000'000;
 
 /// The similarity matrix of two clips (fig. 5.3 a), a few rows at a time; never whole in memory, which stays
 /// below 250 bytes for each column. Row r, column c is the distance of window r of the one clip and window c
-/// of the other (centred on frames r + 2 and c + 2), within 1e-4 m of poseDistanceMetres(). Borrows both
-/// features.
+/// of the other (centred on frames r + 2 and c + 2), within 1e-5 m of poseDistanceMetres() (2e-4 m where that
+/// is 0: a root magnifies rounding). Borrows both features.
 class DistanceRows {
  public:
   static constexpr std::size_t kRowsAtOnce = 4;

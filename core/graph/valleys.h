@@ -41,7 +41,8 @@ class ValleyFinder {
   std::vector<Region> finish();
 
  private:
-  /// Mean distances times l of the diagonals that end in a row, and how long each has been under tau.
+  /// Mean distances times l of the diagonals that end in a row, and how long each has been under tau. Entry c
+  /// + 1 is column c; entry 0 stays zero.
   struct Ends {
     std::vector<std::uint32_t> sums;
     std::vector<std::uint32_t> lengths;
@@ -58,7 +59,7 @@ class ValleyFinder {
   bool oneClip_ = false;
   std::size_t rows_ = 0;
   std::size_t judged_ = 0;
-  std::vector<std::vector<std::uint32_t>> distances_;  ///< The last l rows and one more.
+  std::vector<std::vector<std::uint32_t>> distances_;  ///< The last l rows and one more, each behind l zeros.
   std::vector<Ends> ends_;                             ///< The last 2 neighbourFrames + 1 rows and one more.
   std::vector<Region> regions_;
 };

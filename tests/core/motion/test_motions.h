@@ -79,7 +79,8 @@ inline Clip wanderingClip(const Skeleton& skeleton, std::size_t frames, std::uin
   std::vector<double> rates;
   std::vector<double> phases;
   for (std::size_t k = 0; k < 3 * (skeleton.size() + 1); ++k) {
-    rates.push_back(random.uniform(0.005, 0.04));
+    // The root's slower than the joints', so that it goes at a few metres a second at most.
+    rates.push_back(k < 3 ? random.uniform(0.002, 0.005) : random.uniform(0.005, 0.04));
     phases.push_back(random.uniform());
   }
   Clip clip{.name = "wandering",

@@ -1,0 +1,135 @@
+#include "graph/valleys.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "math/random.h"
+
+namespace stridegraph {
+namespace {
+
+using Matrix = std::vector<std::vector<std::uint32_t>>;
+
+Matrix filled(std::size_t rows, std::size_t columns, std::uint32_t micrometres) {
+  return Matrix(rows, std::vector<std::uint32_t>(columns, micrometres));
+}
+
+std::vector<Region> regionsOf(ValleyFinder finder, const Matrix& matrix) {
+  for (const std::vector<std::uint32_t>& row : matrix) finder.addRow(row, 0);
+  return finder.finish();
+}
+
+std::vector<Region> regionsOf(const ValleyParams& params, const Matrix& matrix) {
+  return regionsOf(ValleyFinder(params, matrix.front().size()), matrix);
+}
+
+/// Straight from the definition, for comparison.
+std::vector<Region> regionsByDefinition(const ValleyParams& params, const Matrix& matrix) {
+  const std::size_t l = params.transitionFrames;
+  const auto sumAt = [&](std::size_t r, std::size_t c) {
+    std::uint64_t sum = 0;
+    for (std::size_t k = 0; k < l; ++k) sum += matrix[r + k][c + k];
+    return sum;
+  };
+  std::vector<Region> regions;
+  for (std::size_t r = 0; r + l <= matrix.size(); ++r) {
+    for (std::size_t c = 0; c + l <= matrix[0].size(); ++c) {
+      bool good = true;
+      for (std::size_t k = 0; k < l; ++k) good = good && matrix[r + k][c + k] <= params.thresholdMetres * 1e6;
+      for (std::size_t i = 0; i + l <= matrix.size() && good; ++i) {
+        for (std::size_t j = 0; j + l <= matrix[0].size() && good; ++j) {
+          const auto apart = [](std::size_t a, std::size_t b) { return a > b ? a - b : b - a; };
+          if (apart(i, r) > params.neighbourFrames || apart(j, c) > params.neighbourFrames) continue;
+          const bool earlier = i < r || (i == r && j < c);
+          good = sumAt(i, j) > sumAt(r, c) || (sumAt(i, j) == sumAt(r, c) && !earlier);
+        }
+      }
+      if (good) regions.push_back({r, c, static_cast<double>(sumAt(r, c)) / static_cast<double>(l) / 1e6});
+    }
+  }
+  return regions;
+}
+
+TEST(ValleyFinder, findsTheOneDiagonalUnderTheThreshold) {
+  Matrix matrix = filled(30, 40, 90'000);
+  for (std::size_t k = 0; k < 5; ++k) matrix[10 + k][20 + k] = 20'000;
+  const std::vector<Region> regions = regionsOf({.transitionFrames = 5, .neighbourFrames = 3}, matrix);
+  ASSERT_EQ(regions.size(), 1U);
+  EXPECT_EQ(regions[0].row, 10U);
+  EXPECT_EQ(regions[0].column, 20U);
+  EXPECT_NEAR(regions[0].meanDistanceMetres, 0.02, 1e-12);
+}
+
+TEST(ValleyFinder, wantsEveryCellUnderTheThreshold) {
+  Matrix matrix = filled(30, 40, 90'000);
+  for (std::size_t k = 0; k < 5; ++k) matrix[10 + k][20 + k] = 10'000;
+  matrix[12][22] = 50'001;
+  EXPECT_TRUE(regionsOf({.transitionFrames = 5}, matrix).empty());
+  matrix[12][22] = 50'000;
+  EXPECT_EQ(regionsOf({.transitionFrames = 5}, matrix).size(), 1U);
+}
+
+TEST(ValleyFinder, givesAFlatValleyFewRegionsFarApart) {
+  const std::vector<Region> regions =
+      regionsOf({.transitionFrames = 5, .neighbourFrames = 3}, filled(60, 60, 1000));
+  ASSERT_EQ(regions.size(), 1U);
+  EXPECT_EQ(regions[0].row, 0U);
+  EXPECT_EQ(regions[0].column, 0U);
+}
+
+TEST(ValleyFinder, agreesWithTheDefinitionOnRandomMatrices) {
+  Random random(11);
+  for (int i = 0; i < 20; ++i) {
+    Matrix matrix = filled(30 + random.below(10), 30 + random.below(10), 0);
+    // Few different values, so that ties are common.
+    for (auto& row : matrix) {
+      for (std::uint32_t& cell : row) cell = static_cast<std::uint32_t>(random.below(8) * 8'000);
+    }
+    const ValleyParams params{
+        .thresholdMetres = 0.05, .transitionFrames = 2 + random.below(4), .neighbourFrames = random.below(5)};
+    const std::vector<Region> found = regionsOf(params, matrix);
+    const std::vector<Region> expected = regionsByDefinition(params, matrix);
+    ASSERT_EQ(found.size(), expected.size());
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      EXPECT_EQ(found[k].row, expected[k].row);
+      EXPECT_EQ(found[k].column, expected[k].column);
+      EXPECT_NEAR(found[k].meanDistanceMetres, expected[k].meanDistanceMetres, 1e-12);
+    }
+  }
+}
+
+TEST(ValleyFinder, ofOneClipLeavesOutWhatLiesNearTheDiagonal) {
+  Matrix matrix = filled(40, 40, 90'000);
+  for (std::size_t k = 0; k + 20 < 40; ++k) matrix[k][k + 20] = 20'000 + 100 * static_cast<std::uint32_t>(k);
+  for (std::size_t k = 0; k + 4 < 40; ++k) matrix[k][k + 4] = 10'000;
+  const ValleyParams params{.transitionFrames = 5, .neighbourFrames = 3};
+  const std::vector<Region> regions = regionsOf(ValleyFinder::ofOneClip(params, 40), matrix);
+  ASSERT_EQ(regions.size(), 1U);
+  EXPECT_EQ(regions[0].row, 0U);
+  EXPECT_EQ(regions[0].column, 20U);
+}
+
+TEST(ValleyFinder, ofOneClipNeedsNothingBeyondItsReach) {
+  Random random(12);
+  const ValleyParams params{.transitionFrames = 4, .neighbourFrames = 6};
+  Matrix matrix = filled(60, 60, 0);
+  for (auto& row : matrix) {
+    for (std::uint32_t& cell : row) cell = static_cast<std::uint32_t>(random.below(60'000));
+  }
+  const std::vector<Region> whole = regionsOf(ValleyFinder::ofOneClip(params, 60), matrix);
+  ValleyFinder finder = ValleyFinder::ofOneClip(params, 60);
+  const std::size_t reach = finder.reach();
+  for (std::size_t r = 0; r < matrix.size(); ++r) {
+    const std::size_t first = r > reach ? r - reach : 0;
+    for (std::size_t c = 0; c < first; ++c) matrix[r][c] = 4'000'000'000U;
+    finder.addRow(matrix[r], first);
+  }
+  const std::vector<Region> part = finder.finish();
+  ASSERT_FALSE(whole.empty());
+  ASSERT_EQ(part.size(), whole.size());
+  for (std::size_t k = 0; k < part.size(); ++k) EXPECT_EQ(part[k].column, whole[k].column);
+}
+
+}  // namespace
+}  // namespace stridegraph
