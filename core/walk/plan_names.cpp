@@ -20,15 +20,4 @@ std::string_view planStatusName(PlanStatus status) {
   return "unknown";
 }
 
-std::string_view searchName(SearchKind search) {
-  return search == SearchKind::kGuided ? "guided" : "thesis";
-}
-
-std::optional<SearchKind> searchFromName(std::string_view name) {
-  for (const SearchKind kind : {SearchKind::kGuided, SearchKind::kThesis}) {
-    if (searchName(kind) == name) return kind;
-  }
-  return std::nullopt;
-}
-
 }  // namespace stridegraph
