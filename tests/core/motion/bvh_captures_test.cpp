@@ -1,37 +1,16 @@
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <map>
-
 #include "motion/bvh_texts.h"
 #include "motion/bvh_writer.h"
+#include "motion/captures.h"
 
 namespace stridegraph {
 namespace {
 
+using testing::captures;
+using testing::contentOf;
 using testing::read;
 using testing::warningsOf;
-
-/// All BVH files below the folder that STRIDEGRAPH_MOCAP names, sorted; empty when it is not set.
-std::vector<std::filesystem::path> captures() {
-  const char* const folder = std::getenv("STRIDEGRAPH_MOCAP");
-  std::vector<std::filesystem::path> files;
-  if (folder == nullptr) return files;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
-    if (entry.path().extension() == ".bvh") files.push_back(entry.path());
-  }
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
-std::string contentOf(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 /// Units per metre that the captures' description states.
 double unitsOf(const std::filesystem::path& file) {
@@ -43,7 +22,7 @@ double unitsOf(const std::filesystem::path& file) {
 
 TEST(Captures, areReadInTheRightUnitAndAxis) {
   const std::vector<std::filesystem::path> files = captures();
-  if (files.empty()) GTEST_SKIP() << "STRIDEGRAPH_MOCAP names no folder with captured clips";
+  if (files.empty()) GTEST_SKIP() << testing::kNoCaptures;
   for (const std::filesystem::path& file : files) {
     const BvhDocument document = read(contentOf(file));
     EXPECT_NEAR(document.layout.unitsPerMetre, unitsOf(file), 1e-9) << file;
@@ -57,7 +36,7 @@ TEST(Captures, areReadInTheRightUnitAndAxis) {
 
 TEST(Captures, comeBackFromWritingUnchanged) {
   const std::vector<std::filesystem::path> files = captures();
-  if (files.empty()) GTEST_SKIP() << "STRIDEGRAPH_MOCAP names no folder with captured clips";
+  if (files.empty()) GTEST_SKIP() << testing::kNoCaptures;
   for (const std::filesystem::path& file : files) {
     const BvhDocument document = read(contentOf(file));
     const BvhDocument back = read(writeBvh(document.skeleton, document.layout, document.clip),
