@@ -9,11 +9,20 @@
 
 namespace stridegraph {
 
-/// The library as .sgraph bytes (FlatBuffers): self-contained and the same for the same library.
+/// The version of .sgraph files that this program writes and reads. It changes with the schema.
+inline constexpr std::uint32_t kSgraphVersion = 1;
+
+/// The library as .sgraph bytes (FlatBuffers): self-contained and the same for the same library. Frames and
+/// joint angles are written as 32 bit floats. Of the library's hash no notice is taken: the bytes' own goes
+/// in.
 std::vector<std::uint8_t> writeSgraph(const MotionLibrary& library);
 
-/// Loads .sgraph bytes. Everything is verified before it is used: structure, version, hash, every index and
-/// number. Fails with kAssetDamaged or kAssetVersion.
+/// The hash that writeSgraph() puts into the bytes: MotionLibrary::hash of what readSgraph() makes of them.
+std::uint64_t sgraphHash(const MotionLibrary& library);
+
+/// Loads .sgraph bytes, at any address. Everything is verified before it is used: structure, version, hash,
+/// every index and number, and that the graph is one strongly connected part. Fails with kAssetDamaged, or
+/// with kAssetVersion for files of another version.
 Result<MotionLibrary> readSgraph(std::span<const std::uint8_t> bytes);
 
 }  // namespace stridegraph

@@ -1,0 +1,162 @@
+#include "graph/library_checks.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <tuple>
+
+#include "graph/graph_building.h"
+
+namespace stridegraph {
+namespace {
+
+using Fault = std::optional<std::string>;
+
+bool isBetween(double value, double low, double high) {
+  return value >= low && value <= high;
+}
+
+Fault faultInClips(const MotionLibrary& library) {
+  std::size_t next = 0;
+  for (const LibraryClip& clip : library.clips) {
+    if (clip.frameCount == 0) return fmt::format("clip {} has no frames", clip.name);
+    if (clip.firstFrame != next)
+      return fmt::format("clip {} begins at frame {}, frame {} expected", clip.name, clip.firstFrame, next);
+    next += clip.frameCount;
+  }
+  if (next != library.frames.frameCount())
+    return fmt::format("clips of {} frames for a library of {}", next, library.frames.frameCount());
+  return {};
+}
+
+Fault faultInContacts(const MotionLibrary& library) {
+  const std::size_t count = library.contactJoints.size();
+  if (count > 8) return fmt::format("{} contact joints, at most 8 expected", count);
+  for (std::size_t k = 0; k < count; ++k) {
+    if (library.contactJoints[k].value >= library.skeleton.size())
+      return fmt::format("contact joint {} of {}", library.contactJoints[k].value, library.skeleton.size());
+    if (k > 0 && library.contactJoints[k] <= library.contactJoints[k - 1])
+      return std::string("contact joints out of order");
+  }
+  if (library.contacts.size() != library.frames.frameCount())
+    return fmt::format("contacts of {} frames for a library of {}", library.contacts.size(),
+                       library.frames.frameCount());
+  for (const ContactMask mask : library.contacts) {
+    if ((static_cast<unsigned>(mask) >> count) != 0U)
+      return fmt::format("contact mask {} for {} contact joints", mask, count);
+  }
+  return {};
+}
+
+Fault faultInEdge(const MotionLibrary& library, const MotionEdge& edge) {
+  const std::size_t nodeCount = library.graph.nodes.size();
+  if (edge.from.value >= nodeCount || edge.to.value >= nodeCount)
+    return fmt::format("an edge from node {} to node {} of {}", edge.from.value, edge.to.value, nodeCount);
+  const FrameIndex from = library.graph.nodes[edge.from.value];
+  const FrameIndex to = library.graph.nodes[edge.to.value];
+  const LibraryClip& source = library.clipOf(from);
+  const LibraryClip& target = library.clipOf(to);
+  const std::string name = fmt::format("the edge from frame {} to frame {}", from.value, to.value);
+  if (edge.kind == EdgeKind::kClipPiece) {
+    if (to <= from || &source != &target) return name + " is a clip piece across clips or back in time";
+    if (edge.frames != to.value - from.value) return fmt::format("{} shows {} frames", name, edge.frames);
+    return {};
+  }
+  if (edge.kind != EdgeKind::kTransition) return name + " is of no known kind";
+  if (edge.frames < 1 || edge.frames > 1000 || edge.sourceSpan < 1 || edge.targetSpan < 1)
+    return fmt::format("{} blends {} frames over {} and {}", name, edge.frames, edge.sourceSpan,
+                       edge.targetSpan);
+  const std::uint32_t sourceLeft = source.firstFrame + source.frameCount - 1 - from.value;
+  if (edge.sourceSpan > sourceLeft || edge.targetSpan > to.value - target.firstFrame)
+    return name + " blends beyond the end of a clip";
+  if (!(edge.distanceMetres >= 0.0F) || !std::isfinite(edge.distanceMetres))
+    return name + " has no sound distance";
+  return {};
+}
+
+Fault faultInGraph(const MotionLibrary& library) {
+  const MotionGraph& graph = library.graph;
+  if (graph.nodes.empty() || graph.edges.empty()) return std::string("an empty graph");
+  for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
+    if (graph.nodes[n].value >= library.frames.frameCount() ||
+        (n > 0 && graph.nodes[n] <= graph.nodes[n - 1]))
+      return fmt::format("node {} out of range or order", n);
+  }
+  const auto key = [](const MotionEdge& edge) { return std::tuple(edge.from, edge.to, edge.kind); };
+  for (std::size_t e = 0; e < graph.edges.size(); ++e) {
+    if (Fault fault = faultInEdge(library, graph.edges[e])) return fault;
+    if (e > 0 && key(graph.edges[e]) < key(graph.edges[e - 1])) return fmt::format("edge {} out of order", e);
+  }
+  MotionGraph indexed = graph;
+  indexEdges(indexed);
+  if (indexed.firstEdge != graph.firstEdge) return std::string("a wrong index of edges");
+  if (largestStronglyConnectedPart(graph).nodes.size() != graph.nodes.size())
+    return std::string("a graph with dead ends");
+  return {};
+}
+
+}  // namespace
+
+Fault faultIn(const LibraryParams& params) {
+  if (!(params.thresholdMetres > 0.0) || !std::isfinite(params.thresholdMetres))
+    return fmt::format("a threshold of {} m, more than 0 expected", params.thresholdMetres);
+  if (params.transitionFrames < 2 || params.transitionFrames > 120)
+    return fmt::format("transitions of {} frames, 2 to 120 expected", params.transitionFrames);
+  if (!isBetween(params.framesPerSecond, 1.0, 240.0))
+    return fmt::format("{} frames a second, 1 to 240 expected", params.framesPerSecond);
+  return {};
+}
+
+Fault faultIn(const Skeleton& skeleton) {
+  if (skeleton.joints.empty()) return std::string("a skeleton without joints");
+  for (std::size_t j = 0; j < skeleton.size(); ++j) {
+    const Joint& joint = skeleton.joints[j];
+    if ((j == 0) != !joint.parent) return fmt::format("joint {} is {}a root", j, j == 0 ? "not " : "");
+    if (!joint.offset.allFinite()) return fmt::format("joint {} has no finite offset", joint.name);
+    if (!joint.parent) continue;
+    if (joint.parent->value >= j) return fmt::format("joint {} comes before its parent", joint.name);
+    if (skeleton.joints[joint.parent->value].isEndSite)
+      return fmt::format("joint {} hangs on an end site", joint.name);
+  }
+  if (skeleton.joints[0].isEndSite) return std::string("a root that is an end site");
+  return {};
+}
+
+Fault faultIn(const Skeleton& skeleton, const Clip& clip) {
+  if (!(clip.framesPerSecond > 0.0) || !std::isfinite(clip.framesPerSecond))
+    return fmt::format("{} frames a second, more than 0 expected", clip.framesPerSecond);
+  if (clip.jointCount != skeleton.size() || clip.rotations.size() != clip.frameCount() * clip.jointCount)
+    return fmt::format("{} rotations in {} frames for {} joints", clip.rotations.size(), clip.frameCount(),
+                       skeleton.size());
+  for (std::size_t f = 0; f < clip.frameCount(); ++f) {
+    if (!clip.rootPositions[f].allFinite())
+      return fmt::format("the root's position in frame {} is not finite", f);
+    const PoseView pose = clip.pose(f);
+    for (std::size_t j = 0; j < skeleton.size(); ++j) {
+      if (!isBetween(pose.rotations[j].norm(), 0.999, 1.001))
+        return fmt::format("the rotation of joint {} in frame {} is not of unit length",
+                           skeleton.joints[j].name, f);
+    }
+  }
+  return {};
+}
+
+Fault faultIn(const MotionLibrary& library) {
+  if (Fault fault = faultIn(library.params)) return fault;
+  if (Fault fault = faultIn(library.skeleton)) return fault;
+  if (Fault fault = faultIn(library.skeleton, library.frames)) return fault;
+  if (library.frames.framesPerSecond != library.params.framesPerSecond)
+    return fmt::format("{} frames a second in a library of {}", library.frames.framesPerSecond,
+                       library.params.framesPerSecond);
+  if (!(library.layout.unitsPerMetre > 0.0) || !std::isfinite(library.layout.unitsPerMetre))
+    return fmt::format("{} units in a metre, more than 0 expected", library.layout.unitsPerMetre);
+  if (Fault fault = faultInClips(library)) return fault;
+  if (Fault fault = faultInContacts(library)) return fault;
+  const Heading& facing = library.facingOffset;
+  if (!isBetween(facing.sin * facing.sin + facing.cos * facing.cos, 1.0 - 1e-9, 1.0 + 1e-9))
+    return std::string("a facing offset that is no unit vector");
+  if (!std::isfinite(library.floorHeightMetres)) return std::string("a floor height that is not finite");
+  return faultInGraph(library);
+}
+
+}  // namespace stridegraph

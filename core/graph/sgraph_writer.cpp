@@ -1,0 +1,159 @@
+#include <flatbuffers/flatbuffers.h>
+
+#include <cstring>
+
+#include "graph/sgraph_file.h"
+#include "graph/sgraph_hash.h"
+#include "sgraph_generated.h"
+
+namespace stridegraph {
+namespace {
+
+using flatbuffers::FlatBufferBuilder;
+using flatbuffers::Offset;
+
+std::vector<Offset<sgraph::Joint>> writeJoints(FlatBufferBuilder& builder, const MotionLibrary& library) {
+  std::vector<Offset<sgraph::Joint>> joints;
+  for (std::size_t j = 0; j < library.skeleton.size(); ++j) {
+    const Joint& joint = library.skeleton.joints[j];
+    std::vector<std::uint8_t> channels;
+    if (j < library.layout.channels.size()) {
+      for (const BvhChannel channel : library.layout.channels[j])
+        channels.push_back(static_cast<std::uint8_t>(channel));
+    }
+    const std::string endSiteName =
+        j < library.layout.endSiteNames.size() ? library.layout.endSiteNames[j] : std::string();
+    const sgraph::Offset offset(joint.offset.x(), joint.offset.y(), joint.offset.z());
+    const auto name = builder.CreateString(joint.name);
+    const auto channelBytes = builder.CreateVector(channels);
+    const auto endSite = builder.CreateString(endSiteName);
+    joints.push_back(sgraph::CreateJoint(builder, name,
+                                         joint.parent ? static_cast<std::int32_t>(joint.parent->value) : -1,
+                                         &offset, joint.isEndSite, channelBytes, endSite));
+  }
+  return joints;
+}
+
+std::vector<Offset<sgraph::ClipRange>> writeClips(FlatBufferBuilder& builder, const MotionLibrary& library) {
+  std::vector<Offset<sgraph::ClipRange>> clips;
+  for (const LibraryClip& clip : library.clips)
+    clips.push_back(
+        sgraph::CreateClipRange(builder, builder.CreateString(clip.name), clip.frameCount, clip.mirrored));
+  return clips;
+}
+
+std::vector<float> positionNumbers(const Clip& frames) {
+  std::vector<float> numbers;
+  numbers.reserve(3 * frames.frameCount());
+  for (const Vec3& position : frames.rootPositions) {
+    for (const int axis : {0, 1, 2}) numbers.push_back(static_cast<float>(position[axis]));
+  }
+  return numbers;
+}
+
+std::vector<float> rotationNumbers(const MotionLibrary& library) {
+  std::vector<float> numbers;
+  numbers.reserve(4 * library.frames.rotations.size());
+  for (std::size_t f = 0; f < library.frames.frameCount(); ++f) {
+    const PoseView pose = library.frames.pose(f);
+    for (std::size_t j = 0; j < pose.rotations.size(); ++j) {
+      if (library.skeleton.joints[j].isEndSite) continue;
+      const Quat& q = pose.rotations[j];
+      for (const double part : {q.w(), q.x(), q.y(), q.z()}) numbers.push_back(static_cast<float>(part));
+    }
+  }
+  return numbers;
+}
+
+std::vector<sgraph::Edge> edgeRecords(const MotionGraph& graph) {
+  std::vector<sgraph::Edge> edges;
+  for (const MotionEdge& edge : graph.edges) {
+    edges.emplace_back(edge.from.value, edge.to.value, static_cast<std::uint32_t>(edge.kind), edge.frames,
+                       edge.sourceSpan, edge.targetSpan, edge.distanceMetres);
+  }
+  return edges;
+}
+
+std::vector<std::uint32_t> nodeNumbers(const MotionGraph& graph) {
+  std::vector<std::uint32_t> nodes;
+  for (const FrameIndex node : graph.nodes) nodes.push_back(node.value);
+  return nodes;
+}
+
+std::vector<std::uint32_t> contactJointNumbers(const MotionLibrary& library) {
+  std::vector<std::uint32_t> joints;
+  for (const JointIndex joint : library.contactJoints) joints.push_back(joint.value);
+  return joints;
+}
+
+void writeLibrary(FlatBufferBuilder& builder, const MotionLibrary& library) {
+  const auto joints = builder.CreateVector(writeJoints(builder, library));
+  const auto name = builder.CreateString(library.frames.name);
+  const auto positions = builder.CreateVector(positionNumbers(library.frames));
+  const auto rotations = builder.CreateVector(rotationNumbers(library));
+  const auto clips = builder.CreateVector(writeClips(builder, library));
+  const auto nodes = builder.CreateVector(nodeNumbers(library.graph));
+  const auto edges = builder.CreateVectorOfStructs(edgeRecords(library.graph));
+  const auto contactJoints = builder.CreateVector(contactJointNumbers(library));
+  const auto contacts = builder.CreateVector(library.contacts);
+  const auto license = builder.CreateString(library.license);
+  sgraph::LibraryBuilder table(builder);
+  table.add_version(kSgraphVersion);
+  table.add_hash(0);
+  table.add_joints(joints);
+  table.add_units_per_metre(library.layout.unitsPerMetre);
+  table.add_up(static_cast<std::uint8_t>(library.layout.up));
+  table.add_frames_name(name);
+  table.add_frames_per_second(library.frames.framesPerSecond);
+  table.add_root_positions(positions);
+  table.add_rotations(rotations);
+  table.add_clips(clips);
+  table.add_nodes(nodes);
+  table.add_edges(edges);
+  table.add_facing_sin(library.facingOffset.sin);
+  table.add_facing_cos(library.facingOffset.cos);
+  table.add_contact_joints(contactJoints);
+  table.add_contacts(contacts);
+  table.add_floor_height_metres(library.floorHeightMetres);
+  table.add_threshold_metres(library.params.thresholdMetres);
+  table.add_transition_frames(library.params.transitionFrames);
+  table.add_mirror(library.params.mirror);
+  table.add_license(license);
+  sgraph::FinishLibraryBuffer(builder, table.Finish());
+}
+
+std::size_t hashPlace(const std::vector<std::uint8_t>& bytes) {
+  const auto* table = flatbuffers::GetRoot<flatbuffers::Table>(bytes.data());
+  return static_cast<std::size_t>(table->GetAddressOf(sgraph::Library::VT_HASH) - bytes.data());
+}
+
+/// The bytes, and the hash that they hold.
+struct Written {
+  std::vector<std::uint8_t> bytes;
+  std::uint64_t hash = 0;
+};
+
+Written write(const MotionLibrary& library) {
+  FlatBufferBuilder builder;
+  // Zeros are stored, too, so that the hash has its place.
+  builder.ForceDefaults(true);
+  writeLibrary(builder, library);
+  Written written;
+  written.bytes.assign(builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize());
+  const std::size_t place = hashPlace(written.bytes);
+  written.hash = hashAround(written.bytes, place);
+  flatbuffers::WriteScalar(written.bytes.data() + place, written.hash);
+  return written;
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> writeSgraph(const MotionLibrary& library) {
+  return write(library).bytes;
+}
+
+std::uint64_t sgraphHash(const MotionLibrary& library) {
+  return write(library).hash;
+}
+
+}  // namespace stridegraph

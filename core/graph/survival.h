@@ -1,0 +1,14 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "graph/library_builder.h"
+#include "graph/transition_scan.h"
+
+namespace stridegraph {
+
+/// What became of each clip of a library, and why not all of it is in the graph.
+std::vector<ClipFate> clipFates(const MotionLibrary& library, std::span<const FoundTransition> transitions);
+
+}  // namespace stridegraph
