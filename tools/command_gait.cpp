@@ -7,6 +7,7 @@
 #include "files.h"
 #include "motion/bvh_writer.h"
 #include "motion/gait_library.h"
+#include "motion/gait_skeleton.h"
 
 namespace stridegraph::tools {
 namespace {
@@ -22,7 +23,7 @@ int runGait(const std::string& folder) {
   const std::vector<Clip> clips = defaultGaitClips();
   for (const Clip& clip : clips) {
     const auto written =
-        writeFile(folder + "/" + clip.name + ".bvh", writeBvh(gaitSkeleton(), gaitLayout(), clip));
+        writeFile(folder + "/" + clip.name + ".bvh", writeBvh(gaitSkeleton(), gaitBvhLayout(), clip));
     if (!written) {
       fmt::print(stderr, "stridegraph gait: {}\n", describe(written.error()));
       return kWrongUse;
