@@ -21,6 +21,14 @@ constexpr double kLeadSeconds = 1.0;
 constexpr double kLeftCarries = 0.5 * kPi;
 constexpr double kRightCarries = 1.5 * kPi;
 
+/// How a turn is walked: people slow down for a tight one, else they would lean and cross their feet.
+struct Turning {
+  double straightSpeed;  ///< m/s, before and after
+  double turnSpeed;      ///< m/s
+  double turnRate;       ///< rad/s
+  Gait gait = Gait::kWalk;
+};
+
 /// Collects clips; a request for the left side brings its mirror image along.
 class Collector {
  public:
@@ -49,14 +57,28 @@ class Collector {
   std::vector<Clip> clips_;
 };
 
-/// Straight, a turn to the left, straight. The radius is speed / turnRate.
-GaitRequest turn(std::string name, double degrees, const GaitSegment& during, double startPhase) {
-  const double seconds = degrees * kPi / 180.0 / during.turnRate;
-  const GaitSegment straight{kLeadSeconds, during.speed, 0.0, during.gait};
+/// The foot that carries in the middle of a turn.
+enum class Carrier { kOuter, kInner };
+
+/// Lets the right foot (outer in a left turn) or the left one carry in the middle of the request.
+void carryInTheMiddle(Carrier carrier, GaitRequest& request) {
+  request.startPhase = 0.0;
+  const Result<GaitTrack> track = layTrack(request);
+  STRIDEGRAPH_CHECK(track.has_value());
+  const GaitMoment& middle = track->moments[track->moments.size() / 2];
+  const double leftCarries = contactAt(middle).middle();
+  request.startPhase = leftCarries + (carrier == Carrier::kOuter ? kPi : 0.0) - middle.phase;
+}
+
+/// Straight, a turn to the left, straight. The radius is the speed in the turn by its rate.
+GaitRequest turn(std::string name, double degrees, const Turning& how, Carrier carrier) {
+  const double seconds = degrees * kPi / 180.0 / how.turnRate;
+  const GaitSegment straight{kLeadSeconds, how.straightSpeed, 0.0, how.gait};
   GaitRequest request;
   request.name = std::move(name);
-  request.segments = {straight, {seconds, during.speed, during.turnRate, during.gait}, straight};
-  request.startPhase = startPhase;
+  request.segments = {straight, {seconds, how.turnSpeed, how.turnRate, how.gait}, straight};
+  request.speedBlendSeconds = 0.35;
+  carryInTheMiddle(carrier, request);
   return request;
 }
 
@@ -78,18 +100,18 @@ void addStraightWalks(Collector& clips) {
 }
 
 void addTurns(Collector& clips) {
-  const GaitSegment tight{0.0, 1.0, 1.7};
-  clips.addBothHands(turn("walk_tight_45", 45, tight, 0.0));
-  clips.addBothHands(turn("walk_tight_90", 90, tight, 0.0));
-  clips.addBothHands(turn("walk_tight_90_other_foot", 90, tight, kPi));
-  clips.addBothHands(turn("walk_tight_135", 135, tight, kPi));
-  clips.addBothHands(turn("walk_tight_180", 180, tight, 0.0));
-  clips.addBothHands(turn("walk_slow_180", 180, {0.0, 0.8, 1.75}, 0.0));
-  const GaitSegment wide{0.0, 1.3, 1.1};
-  clips.addBothHands(turn("walk_wide_45", 45, wide, 0.0));
-  clips.addBothHands(turn("walk_wide_90", 90, wide, kPi));
-  clips.addBothHands(turn("walk_wide_135", 135, wide, 0.0));
-  clips.addBothHands(turn("walk_wide_180", 180, wide, kPi));
+  const Turning tight{1.0, 0.75, 1.7};
+  clips.addBothHands(turn("walk_tight_45", 45, tight, Carrier::kOuter));
+  clips.addBothHands(turn("walk_tight_90", 90, tight, Carrier::kOuter));
+  clips.addBothHands(turn("walk_tight_90_other_foot", 90, {1.0, 0.75, 1.3}, Carrier::kInner));
+  clips.addBothHands(turn("walk_tight_135", 135, tight, Carrier::kOuter));
+  clips.addBothHands(turn("walk_tight_180", 180, tight, Carrier::kInner));
+  clips.addBothHands(turn("walk_sharp_90", 90, {1.0, 0.65, 2.2}, Carrier::kOuter));
+  const Turning wide{1.3, 1.25, 1.1};
+  clips.addBothHands(turn("walk_wide_45", 45, wide, Carrier::kOuter));
+  clips.addBothHands(turn("walk_wide_90", 90, wide, Carrier::kInner));
+  clips.addBothHands(turn("walk_wide_135", 135, wide, Carrier::kOuter));
+  clips.addBothHands(turn("walk_wide_180", 180, wide, Carrier::kInner));
   const double sway = 40.0 * kPi / 180.0;
   clips.add(sequence("walk_slalom", {{kLeadSeconds, 1.2},
                                      {1.0, 1.2, sway},
@@ -111,7 +133,8 @@ void addStanding(Collector& clips) {
   clips.addBothHands(stop);
   for (const double degrees : {90.0, 180.0}) {
     GaitRequest spot = turn("turn_on_the_spot_" + std::to_string(std::lround(degrees)), degrees,
-                            {0.0, 0.0, 1.25}, kLeftCarries);
+                            {0.0, 0.0, 1.25}, Carrier::kOuter);
+    spot.startPhase = kLeftCarries;
     clips.addBothHands(spot);
   }
 }
@@ -119,7 +142,7 @@ void addStanding(Collector& clips) {
 void addJogs(Collector& clips) {
   clips.add(sequence("jog_2.4", {{2.4, 2.4, 0.0, Gait::kJog}}));
   clips.add(sequence("jog_2.8", {{2.4, 2.8, 0.0, Gait::kJog}}));
-  clips.addBothHands(turn("jog_veer", 60, {0.0, 2.6, 1.0, Gait::kJog}, 0.0));
+  clips.addBothHands(turn("jog_veer", 60, {2.6, 2.6, 1.0, Gait::kJog}, Carrier::kOuter));
   clips.add(sequence("walk_to_jog", {{1.6, 1.5}, {1.8, 2.4, 0.0, Gait::kJog}}));
   clips.add(sequence("jog_to_walk", {{1.6, 2.4, 0.0, Gait::kJog}, {1.8, 1.5}}));
 }
