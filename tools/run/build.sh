@@ -31,16 +31,16 @@ buildDefaultLibrary() {
     build/bin/stridegraph gait -o build/gait
     build/bin/stridegraph build build/gait/*.bvh -o "$library" --report build/library/default.json
   fi
-  mkdir -p build/site/assets
-  [ build/site/assets/default.sgraph -nt "$library" ] || cp "$library" build/site/assets/default.sgraph
 }
 
-# The default library is an asset of the page, and comes before whatever lists the page's assets.
+# The page takes in the module and the default library, so it comes last.
 buildAll() {
   buildPrograms
   buildDefaultLibrary
-  note "building the module and the page"
-  buildTree wasm all
+  note "building the module"
+  buildTree wasm stridegraph_javascript
+  note "building the page"
+  buildTree wasm site
 }
 
 runDemo() {
