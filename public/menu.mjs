@@ -41,7 +41,9 @@ async function loadSamples(bridge) {
     if (problem) bridge.say(problem, true)
   }
   menu.addEventListener('change', () => open(menu.value))
-  return { open, first: samples[0]?.file }
+  const wanted = menu.dataset.first
+  const first = samples.find(({ file }) => file === wanted) ?? samples[0]
+  return { open, first: first?.file }
 }
 
 /** Opens the scene of the address if it holds one. Whether it does, however that ends. */

@@ -18,6 +18,16 @@ namespace {
 constexpr double kAwakeSeconds = 0.7;
 constexpr double kLongestStepSeconds = 0.1;
 
+/// What the panels cover (see their layouts).
+Viewport withPanels(Viewport viewport) {
+  const bool narrow = Layout{viewport}.narrow();
+  viewport.left = narrow ? 0.0 : 252.0;
+  viewport.right = narrow ? 0.0 : 256.0;
+  viewport.top = 56.0;
+  viewport.bottom = narrow ? 150.0 : 76.0;
+  return viewport;
+}
+
 Cursor cursorOver(const Handle& handle, Tool tool) {
   if (tool != Tool::kSelect) return Cursor::kCross;
   switch (handle.kind) {
@@ -131,11 +141,11 @@ void App::beginImGui(const FrameRequest& request) {
   ImGui::NewFrame();
 }
 
-bool App::frame(const FrameRequest& request) {
+bool App::frame(const FrameRequest& wanted) {
+  FrameRequest request = wanted;
+  request.viewport = withPanels(wanted.viewport);
   state_.nowSeconds += request.deltaSeconds;
-  const bool resized = request.viewport.width != shown_.viewport.width ||
-                       request.viewport.height != shown_.viewport.height ||
-                       request.pixelRatio != shown_.pixelRatio;
+  const bool resized = request.viewport != shown_.viewport || request.pixelRatio != shown_.pixelRatio;
   if (resized || !queue_.empty() || state_.playback.playing || state_.replanning.wanted)
     stayAwake(kAwakeSeconds);
   if (state_.nowSeconds < state_.notice.untilSeconds) stayAwake(0.1);

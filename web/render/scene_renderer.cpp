@@ -184,9 +184,14 @@ void SceneRenderer::drawShadowMap(const Picture& picture, const std::vector<floa
   glViewport(0, 0, kShadowSize, kShadowSize);
   glClear(GL_DEPTH_BUFFER_BIT);
   glEnable(GL_DEPTH_TEST);
+  // Far sides cast the shadow, so that lit sides never shade themselves.
+  glEnable(GL_CULL_FACE);
+  glCullFace(GL_FRONT);
   glUseProgram(blockDepth_.name());
   setMatrix(blockDepth_, "uClipFromWorld", shadowFromWorld_);
   blockMesh_.draw(blocks, kBlockFloats);
+  glCullFace(GL_BACK);
+  glDisable(GL_CULL_FACE);
   glDisable(GL_DEPTH_TEST);
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
@@ -281,8 +286,7 @@ void SceneRenderer::drawLines(const Picture& picture) {
   glUseProgram(line_.name());
   setMatrix(line_, "uClipFromWorld", picture.view.clipFromWorld.cast<float>());
   glUniform2f(uniformOf(line_, "uPixels"), f(picture.size.width), f(picture.size.height));
-  const double scale = picture.view.clipFromWorld.block<1, 3>(1, 0).norm();
-  glUniform1f(uniformOf(line_, "uPixelsPerMetre"), f(scale * picture.size.height / 2));
+  glUniform1f(uniformOf(line_, "uPixelsPerMetre"), f(picture.view.focalScale * picture.size.height / 2));
   lineMesh_.draw(out, kLineFloats);
 }
 

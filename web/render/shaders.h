@@ -37,7 +37,7 @@ float blockShadow(vec3 p, vec3 n) {
   float lit = 0.0;
   for (int y = -1; y <= 1; ++y)
     for (int x = -1; x <= 1; ++x)
-      lit += texture(uShadowMap, vec3(c.xy + vec2(x, y) * uShadowTexel * 1.2, c.z - 0.0006));
+      lit += texture(uShadowMap, vec3(c.xy + vec2(x, y) * uShadowTexel * 1.2, c.z - 0.0004));
   return lit / 9.0;
 }
 

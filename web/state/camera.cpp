@@ -39,11 +39,24 @@ Eigen::Matrix4d perspective(double fieldOfView, double aspect, double near, doub
   return m;
 }
 
+/// Half the height of the whole view, so that so much to each side of the target lies in its free part.
+double halfHeightToShow(double across, double along, const Viewport& viewport) {
+  return viewport.height * std::max(across / viewport.freeWidth(), along / viewport.freeHeight());
+}
+
 double towards(double from, double to, double share) {
   return from + (to - from) * share;
 }
 
 }  // namespace
+
+double Viewport::freeWidth() const {
+  return std::max(width - left - right, 0.3 * width);
+}
+
+double Viewport::freeHeight() const {
+  return std::max(height - top - bottom, 0.3 * height);
+}
 
 std::optional<Vec2> CameraView::project(const Vec3& point) const {
   const Eigen::Vector4d clip = clipFromWorld * point.homogeneous();
@@ -61,9 +74,7 @@ Ray CameraView::rayAt(const Vec2& pointer) const {
 
 double CameraView::metresPerPoint(const Vec3& point) const {
   const double depth = (clipFromWorld * point.homogeneous()).w();
-  // Row 1 of the projection scales heights by 1 / tan(fov / 2); its length survives the view's rotation.
-  const double scale = clipFromWorld.block<1, 3>(1, 0).norm();
-  return std::max(depth, 1e-3) * 2.0 / (scale * viewport.height);
+  return std::max(depth, 1e-3) * 2.0 / (focalScale * viewport.height);
 }
 
 std::optional<Vec2> meetPlane(const Ray& ray, double heightMetres) {
@@ -89,7 +100,12 @@ CameraView viewOf(const CameraPose& pose, const Viewport& viewport) {
   const double near = std::max(0.05, distance - pose.halfHeightMetres * 6.0 - 8.0);
   const double far = distance + pose.halfHeightMetres * 12.0 + 120.0;
   const double aspect = viewport.width / std::max(viewport.height, 1.0);
-  view.clipFromWorld = perspective(pose.fieldOfViewRadians, aspect, near, far) * viewFromWorld;
+  view.focalScale = 1.0 / std::tan(pose.fieldOfViewRadians / 2.0);
+  Eigen::Matrix4d clipFromView = perspective(pose.fieldOfViewRadians, aspect, near, far);
+  // A shifted lens: the target appears in the middle of what panels leave free.
+  clipFromView.row(0) += (viewport.left - viewport.right) / viewport.width * clipFromView.row(3);
+  clipFromView.row(1) += (viewport.bottom - viewport.top) / viewport.height * clipFromView.row(3);
+  view.clipFromWorld = clipFromView * viewFromWorld;
   view.worldFromClip = view.clipFromWorld.inverse();
   return view;
 }
@@ -100,9 +116,10 @@ CameraPose poseOverRoom(double widthMetres, double depthMetres, const Viewport& 
   pose.yawRadians = 0.35;
   pose.pitchRadians = 0.82;
   pose.fieldOfViewRadians = kPerspectiveRadians;
-  const double aspect = viewport.width / std::max(viewport.height, 1.0);
-  pose.halfHeightMetres =
-      std::max(0.46 * depthMetres + 0.12 * widthMetres, 0.74 * widthMetres / aspect) + 1.0;
+  // What a room turned by the yaw above spans on screen, nearer edge included, in shares of its sides.
+  const double across = 0.55 * widthMetres + 0.22 * depthMetres;
+  const double along = 0.44 * depthMetres + 0.17 * widthMetres;
+  pose.halfHeightMetres = halfHeightToShow(across, along, viewport) + 0.5;
   return pose;
 }
 
@@ -112,8 +129,7 @@ CameraPose poseAboveRoom(double widthMetres, double depthMetres, const Viewport&
   pose.yawRadians = 0.0;
   pose.pitchRadians = kHighestPitch;
   pose.fieldOfViewRadians = kPlanRadians;
-  const double aspect = viewport.width / std::max(viewport.height, 1.0);
-  pose.halfHeightMetres = std::max(0.6 * depthMetres, 0.66 * widthMetres / aspect) + 0.8;
+  pose.halfHeightMetres = halfHeightToShow(0.5 * widthMetres + 0.6, 0.5 * depthMetres + 0.6, viewport);
   return pose;
 }
 

@@ -28,10 +28,16 @@ struct Camera {
   CameraPose orbit;  ///< What orbit returns to after follow or top.
 };
 
-/// The size of the view in points (CSS pixels).
+/// The size of the view in points (CSS pixels), and how much of each side panels cover: the camera looks at
+/// the middle of what is left.
 struct Viewport {
   double width = 1.0;
   double height = 1.0;
+  double left = 0.0, right = 0.0, top = 0.0, bottom = 0.0;
+
+  double freeWidth() const;
+  double freeHeight() const;
+  bool operator==(const Viewport&) const = default;
 };
 
 /// A half line in the world.
@@ -46,6 +52,7 @@ struct CameraView {
   Eigen::Matrix4d worldFromClip = Eigen::Matrix4d::Identity();
   Vec3 eye = Vec3::Zero();
   Viewport viewport;
+  double focalScale = 1.0;  ///< 1 / tan(half of the vertical field of view).
 
   /// Where a point of the world appears, in points from the upper left; empty behind the eye.
   std::optional<Vec2> project(const Vec3& point) const;

@@ -2,6 +2,8 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+
 namespace stridegraph {
 
 namespace {
@@ -66,21 +68,27 @@ void see(const InputEvent& event, InputState& state) {
   }
 }
 
-bool changesButtonOrKey(const InputEvent& event) {
-  return event.kind == InputKind::kPress || event.kind == InputKind::kRelease ||
-         event.kind == InputKind::kKeyDown || event.kind == InputKind::kKeyUp;
+bool changesSameKey(const std::deque<InputEvent>& taken, const InputEvent& next) {
+  const auto isKey = [](const InputEvent& event) {
+    return event.kind == InputKind::kKeyDown || event.kind == InputKind::kKeyUp;
+  };
+  if (!isKey(next)) return false;
+  const auto changes = [&](const InputEvent& event) { return isKey(event) && event.key == next.key; };
+  return std::any_of(taken.begin(), taken.end(), changes);
 }
 
 }  // namespace
 
 std::deque<InputEvent> InputQueue::take(InputState& state) {
   std::deque<InputEvent> taken;
-  bool changed = false;
+  bool pressed = false;
   while (!events_.empty()) {
     const InputEvent& next = events_.front();
-    // A frame sees at most one press or release, and no move that comes after it.
-    if (changed && (changesButtonOrKey(next) || next.kind == InputKind::kMove)) break;
-    changed = changed || changesButtonOrKey(next);
+    const bool presses = next.kind == InputKind::kPress || next.kind == InputKind::kRelease;
+    // A frame sees at most one press or release, no move that comes after it, and no key both down and up.
+    if (pressed && (presses || next.kind == InputKind::kMove)) break;
+    if (changesSameKey(taken, next)) break;
+    pressed = pressed || presses;
     see(next, state);
     taken.push_back(next);
     events_.pop_front();

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "render/marks.h"
 #include "state/playback.h"
@@ -126,12 +127,15 @@ void showButtons(const AppState& state, const Palette& palette, Commands& comman
 void showSpeed(const AppState& state, Commands& commands) {
   Playback playback = state.playback;
   auto speed = static_cast<float>(playback.speed);
-  ImGui::SetNextItemWidth(92.0F);
-  if (ImGui::SliderFloat("##speed", &speed, 0.1F, 2.0F, "%.1f x", ImGuiSliderFlags_AlwaysClamp)) {
-    playback.speed = speed;
+  ImGui::SetNextItemWidth(84.0F);
+  if (ImGui::SliderFloat("##speed", &speed, 0.1F, 2.0F, "", ImGuiSliderFlags_AlwaysClamp)) {
+    playback.speed = std::round(speed * 20.0F) / 20.0F;
     commands.push_back(ChangePlayback{playback});
   }
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("Speed");
+  ImGui::SameLine(0.0F, 6.0F);
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(fmt::format("{:.2f}\xc3\x97", playback.speed).c_str());
 }
 
 }  // namespace
