@@ -9,17 +9,20 @@
 namespace stridegraph {
 namespace {
 
-/// Median of the turns around `frame`, without its own; the lower of two middles. Empty surroundings give 0.
-double medianAround(const std::vector<double>& turns, std::size_t frame) {
+/// The second largest of the turns around `frame`, so that a single wrong frame, which makes two jumps, is
+/// not its own excuse. With one neighbour that one; without any 0.
+double usualTurnAround(const std::vector<double>& turns, std::size_t frame) {
   constexpr std::size_t kReach = 3;
-  std::vector<double> around;
+  double largest = 0.0;
+  double second = 0.0;
+  std::size_t count = 0;
   for (std::size_t f = frame - std::min(frame, kReach); f <= frame + kReach && f < turns.size(); ++f) {
-    if (f != frame) around.push_back(turns[f]);
+    if (f == frame) continue;
+    second = std::max(second, std::min(largest, turns[f]));
+    largest = std::max(largest, turns[f]);
+    ++count;
   }
-  if (around.empty()) return 0.0;
-  const auto middle = around.begin() + static_cast<std::ptrdiff_t>((around.size() - 1) / 2);
-  std::nth_element(around.begin(), middle, around.end());
-  return *middle;
+  return count == 1 ? largest : second;
 }
 
 Clip partOf(const Clip& clip, std::size_t first, std::size_t end) {
@@ -44,7 +47,7 @@ std::vector<Glitch> findGlitches(const Clip& clip, const GlitchParams& params) {
       turns[f] = angleBetween(clip.pose(f).rotations[j], clip.pose(f + 1).rotations[j]).radians();
     for (std::size_t f = 0; f < steps; ++f) {
       const bool isJump =
-          turns[f] > params.leastTurn.radians() && turns[f] > params.factor * medianAround(turns, f);
+          turns[f] > params.leastTurn.radians() && turns[f] > params.factor * usualTurnAround(turns, f);
       if (isJump && turns[f] > farthest[f].turn.radians())
         farthest[f] = {f, JointIndex(j), Angle::radians(turns[f])};
     }

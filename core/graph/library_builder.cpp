@@ -17,6 +17,7 @@
 #include "motion/contacts.h"
 #include "motion/facing.h"
 #include "motion/mirror.h"
+#include "motion/mirror_map.h"
 
 namespace stridegraph {
 namespace {
