@@ -20,7 +20,7 @@ val fateValue(const ClipFate& fate) {
   return value;
 }
 
-val reportValue(const BuildReport& report, const Warnings& warnings) {
+val reportValue(const BuildReport& report) {
   val clips = val::array();
   for (const ClipFate& fate : report.clips) clips.call<void>("push", fateValue(fate));
   val value = val::object();
@@ -33,7 +33,7 @@ val reportValue(const BuildReport& report, const Warnings& warnings) {
   value.set("transitions", static_cast<double>(report.transitions));
   value.set("survivingShare", report.survivingShare);
   value.set("clips", clips);
-  value.set("warnings", warningList(warnings));
+  value.set("warnings", warningList(report.warnings));
   return value;
 }
 
@@ -48,7 +48,6 @@ val BuilderHandle::create(const val& options) {
 val BuilderHandle::addClip(const std::string& name, const std::string& text) {
   Result<BvhDocument> document = readBvh(text, name, options_.reading);
   if (!document) return refuse(document.error());
-  warnings_.insert(warnings_.end(), document->warnings.begin(), document->warnings.end());
   documents_.push_back(*std::move(document));
   return succeed(val::undefined());
 }
@@ -73,11 +72,8 @@ double BuilderHandle::progress() const {
 val BuilderHandle::finish() {
   Result<MotionLibrary> library = builder_->finish();
   if (!library) return refuse(library.error());
-  Warnings warnings = warnings_;
-  const Warnings& later = builder_->report().warnings;
-  warnings.insert(warnings.end(), later.begin(), later.end());
   val value = val::object();
-  value.set("report", reportValue(builder_->report(), warnings));
+  value.set("report", reportValue(builder_->report()));
   value.set("library", val(std::make_shared<LibraryHandle>(*std::move(library))));
   return succeed(value);
 }

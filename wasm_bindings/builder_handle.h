@@ -33,7 +33,6 @@ class BuilderHandle {
   BuildOptions options_;
   std::vector<BvhDocument> documents_;
   std::optional<LibraryBuilder> builder_;
-  Warnings warnings_;
 };
 
 }  // namespace stridegraph::bindings

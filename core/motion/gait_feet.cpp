@@ -16,8 +16,10 @@ constexpr double kJogReach = 0.988;
 constexpr double kLongestLeg = 0.999;    ///< In swing, and where all else fails.
 constexpr double kWalkLowering = 0.020;  ///< Most that the root is lowered for a leg in stance, metres.
 constexpr double kJogLowering = 0.004;
-constexpr double kLargestRelease = 0.35;    ///< Share of a stance that may be given up at its end.
-constexpr double kClearanceMetres = 0.014;  ///< Heel and toe end over the floor in the middle of a swing.
+constexpr double kLargestRelease = 0.35;  ///< Share of a stance that may be given up at its end.
+constexpr double kWalkClearance =
+    0.018;  ///< Heel and toe end over the floor in the middle of a swing, metres.
+constexpr double kJogClearance = 0.040;
 
 /// One foot through the whole clip.
 struct Foot {
@@ -102,7 +104,7 @@ std::vector<double> envelope(const std::vector<double>& values, std::ptrdiff_t r
 }
 
 /// Lifts the swinging foot where it would come too near to the floor.
-void clearFloor(Foot& foot) {
+void clearFloor(const GaitTrack& track, Foot& foot) {
   const std::size_t count = foot.down.size();
   std::vector<double> lift(count, 0.0);
   std::size_t f = 0;
@@ -115,7 +117,8 @@ void clearFloor(Foot& foot) {
     while (next < count && !foot.down[next]) ++next;
     for (std::size_t i = f; i < next; ++i) {
       const double share = static_cast<double>(i - f + 1) / static_cast<double>(next - f + 1);
-      const double wanted = kClearanceMetres * std::pow(std::sin(std::numbers::pi * share), 2.0);
+      const double clearance = std::lerp(kWalkClearance, kJogClearance, track.moments[i].jogShare);
+      const double wanted = clearance * std::sin(std::numbers::pi * share);
       const FootMotion now = corrected(foot.motion[i], foot.corrections[i]);
       lift[i] = std::max(0.0, kGaitSoleMetres + wanted - std::min(now.heel().y(), now.toe().y()));
     }
@@ -157,7 +160,7 @@ void plantFeet(const GaitTrack& track, Clip& clip) {
   pinStances(track, Side::kRight, legMetres, feet[1]);
   for (Foot& foot : feet) {
     carryThroughSwing(foot.down, foot.corrections);
-    clearFloor(foot);
+    clearFloor(track, foot);
   }
   const std::vector<double> lowering = rootLowering(track, feet, legMetres);
   for (std::size_t f = 0; f < clip.frameCount(); ++f) {

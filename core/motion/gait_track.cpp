@@ -15,6 +15,8 @@ constexpr double kMarginSeconds = 1.5;
 /// reserve).
 constexpr double kSlowestWalk = 0.75;
 /// Cadence and contact of small steps on the spot.
+/// Share by which a tight turn is faster over the outer foot and slower over the inner one.
+constexpr double kTurnEmphasis = 0.6;
 constexpr double kSteppingCadence = 6.6;
 constexpr double kSteppingHalfWidth = 0.68 * kPi;
 
@@ -107,9 +109,45 @@ double cadenceAt(const GaitMoment& moment) {
   return std::lerp(kSteppingCadence * turningGate(moment), going, smoothStep(moment.speed / 0.15));
 }
 
-/// Integrates heading, place and phase by the trapezoidal rule; place and heading are zero at the first frame
-/// of the clip, phase at the first frame of all.
-void integrate(GaitTrack& track, double fps) {
+/// The phase by the trapezoidal rule, from zero at the first frame.
+void integratePhase(GaitTrack& track, double fps) {
+  for (std::size_t i = 1; i < track.moments.size(); ++i) {
+    const GaitMoment& before = track.moments[i - 1];
+    GaitMoment& now = track.moments[i];
+    now.phase = before.phase + (cadenceAt(before) + cadenceAt(now)) * 0.5 / fps;
+  }
+}
+
+/// How much more of the turn falls to this moment than on average: people turn while the outer foot carries,
+/// so that their feet need not cross.
+double turnEmphasis(const GaitMoment& moment) {
+  const double tight = smoothStep((std::abs(moment.turnRate) - 0.7) / 0.8);
+  const double depth = kTurnEmphasis * tight * walkingShare(moment) * (1.0 - moment.jogShare);
+  const double outerFoot = -std::cos(moment.phase - contactAt(moment).middle());
+  return 1.0 + depth * std::copysign(1.0, moment.turnRate) * outerFoot;
+}
+
+/// Gives more of each turn to the frames in which the outer foot carries; its whole angle stays.
+void emphasiseOuterFoot(GaitTrack& track) {
+  auto& moments = track.moments;
+  std::size_t first = 0;
+  while (first < moments.size()) {
+    const double side = std::copysign(1.0, moments[first].turnRate);
+    std::size_t next = first;
+    double plain = 0.0;
+    double stressed = 0.0;
+    for (; next < moments.size() && moments[next].turnRate * side >= 0.0; ++next) {
+      plain += moments[next].turnRate;
+      stressed += moments[next].turnRate * turnEmphasis(moments[next]);
+    }
+    const double scale = stressed * side > 0.0 ? plain / stressed : 1.0;
+    for (std::size_t i = first; i < next; ++i) moments[i].turnRate *= scale * turnEmphasis(moments[i]);
+    first = std::max(next, first + 1);
+  }
+}
+
+/// Integrates heading and place by the trapezoidal rule; both are zero at the first frame of the clip.
+void integratePath(GaitTrack& track, double fps) {
   auto& moments = track.moments;
   const auto slip = [](const GaitMoment& m) {
     const Angle walk = gaitSlip(Gait::kWalk, m.turnRate, m.turnAcceleration);
@@ -124,7 +162,6 @@ void integrate(GaitTrack& track, double fps) {
     if (i > 0) {
       const GaitMoment& before = moments[i - 1];
       now.heading = before.heading + Angle::radians((before.turnRate + now.turnRate) * 0.5 / fps);
-      now.phase = before.phase + (cadenceAt(before) + cadenceAt(now)) * 0.5 / fps;
     }
     const Vec2 velocity = now.speed * Heading::fromAngle(now.heading + slip(now)).direction();
     if (i > 0) now.place = moments[i - 1].place + (velocityBefore + velocity) * (0.5 / fps);
@@ -182,8 +219,10 @@ Result<GaitTrack> layTrack(const GaitRequest& request) {
   smoothChannel(track, &GaitMoment::speed, request.speedBlendSeconds * fps);
   smoothChannel(track, &GaitMoment::turnRate, request.turnBlendSeconds * fps);
   smoothChannel(track, &GaitMoment::jogShare, request.gaitBlendSeconds * fps);
-  integrate(track, fps);
+  integratePhase(track, fps);
   settlePhase(track, request);
+  emphasiseOuterFoot(track);
+  integratePath(track, fps);
   return track;
 }
 

@@ -56,8 +56,9 @@ double steppingShare(const GaitMoment& moment);  ///< 1 when turning on the spot
 /// When the left foot is down at this speed and turn rate; the whole cycle when standing.
 ContactPhases contactAt(const GaitMoment& moment);
 
-/// Smooths the segments, integrates path and heading (the first frame of the clip is at the origin and faces
-/// +z) and advances the phase by the cadence law. Fails with kInvalidArgument when a value is out of range.
+/// Smooths the segments, gives more of a tight turn to the outer foot's stance (as people do), integrates
+/// path and heading (the first frame of the clip is at the origin and faces +z) and advances the phase by the
+/// cadence law. Fails with kInvalidArgument when a value is out of range.
 Result<GaitTrack> layTrack(const GaitRequest& request);
 
 }  // namespace stridegraph

@@ -22,7 +22,8 @@ Checked checkFinite(const std::string& member, double value) {
 }
 
 Checked checkWithin(const std::string& member, double value, double low, double high) {
-  if (!(value >= low && value <= high)) return wrong(member, value, fmt::format("{} to {}", low, high));
+  if (!(value >= low && value <= high))
+    return wrong(member, value, fmt::format("a number from {} to {}", low, high));
   return {};
 }
 

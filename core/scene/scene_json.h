@@ -8,12 +8,17 @@
 
 namespace stridegraph {
 
-/// Reads a scene (DESIGN, section 4). Unknown members are kept for writeSceneJson; a known one that is
-/// missing, of the wrong type or out of range is kSceneValue, and names the member, what was found and what
-/// was expected.
+/// Reads a scene: {"version": 1, "name": "...", "width": 20, "depth": 12, "obstacles": [{"x": 10, "z": 2,
+/// "width": 1, "depth": 7}], "moving": [...], "start": {"x": 3, "z": 3, "heading_deg": 90}, "goal": {...},
+/// "radius": 0.4, "seed": 1}. version, name, moving, heading_deg, radius and seed may be missing. Unknown
+/// members of the outer object are kept for writeSceneJson; a known one that is missing, of the wrong type or
+/// out of range is kSceneValue, and names the member, what was found and what was expected. Text that is no
+/// JSON is kSceneSyntax with line and column. `name` becomes the error's file.
 Result<Scene> readSceneJson(std::string_view text, std::string_view name = "scene");
 
-/// The scene as JSON text; reading it back gives the same scene, bit for bit.
+/// The scene as JSON text, numbers as short as they can be. Reading it back gives the same scene, bit for bit
+/// but for headings that no number of degrees gives exactly: these come back within one unit in the last
+/// place. unknownMembers that are no JSON object are left out.
 std::string writeSceneJson(const Scene& scene);
 
 /// What is wrong with a scene's values, as readSceneJson says it; nothing when the scene is usable.

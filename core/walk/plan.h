@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -10,21 +12,16 @@
 #include "base/result.h"
 #include "graph/library.h"
 #include "motion/clip.h"
+#include "path/path_planner.h"
 #include "scene/scene.h"
+#include "walk/motion_search.h"
 
 namespace stridegraph {
-
-enum class PlannerKind { kPrm, kRrtConnect };
-enum class SearchKind { kGuided, kThesis };
 
 /// How a plan ended. Names in reports are planStatusName()'s: "arrived", "start_blocked", ...
 enum class PlanStatus { kArrived, kStartBlocked, kGoalBlocked, kNoPath, kNoMotion, kBudgetSpent };
 
 std::string_view planStatusName(PlanStatus status);
-std::string_view plannerName(PlannerKind planner);  ///< "prm", "rrt-connect"
-std::string_view searchName(SearchKind search);     ///< "guided", "thesis"
-std::optional<PlannerKind> plannerFromName(std::string_view name);
-std::optional<SearchKind> searchFromName(std::string_view name);
 
 /// What may be asked of a plan beside the scene.
 struct PlanOptions {
@@ -76,9 +73,22 @@ struct Plan {
   std::vector<Vec2> subgoals;
 };
 
-/// Plans a walk through a scene: path, motion, synthesis. A scene or option out of range is an error; that
-/// there is no way is a plan whose status says so.
-Result<Plan> planWalk(const MotionLibrary& library, const Scene& scene, const PlanOptions& options = {});
+/// A library made ready for planning walk after walk: the session facade. Immutable; planning the same scene
+/// with the same options gives the same walk.
+class WalkPlanner {
+ public:
+  explicit WalkPlanner(std::shared_ptr<const MotionLibrary> library);
+
+  const MotionLibrary& library() const { return *library_; }
+
+  /// Plans a walk through a scene: path, motion, synthesis. A scene or option out of range is an error; that
+  /// there is no way is a plan whose status says so.
+  Result<Plan> plan(const Scene& scene, const PlanOptions& options = {}) const;
+
+ private:
+  std::shared_ptr<const MotionLibrary> library_;
+  SearchGraph graph_;
+};
 
 /// The report as the JSON object of DESIGN, section 4.
 std::string toJson(const PlanReport& report);

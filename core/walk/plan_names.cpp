@@ -20,26 +20,4 @@ std::string_view planStatusName(PlanStatus status) {
   return "unknown";
 }
 
-std::string_view plannerName(PlannerKind planner) {
-  return planner == PlannerKind::kPrm ? "prm" : "rrt-connect";
-}
-
-std::string_view searchName(SearchKind search) {
-  return search == SearchKind::kGuided ? "guided" : "thesis";
-}
-
-std::optional<PlannerKind> plannerFromName(std::string_view name) {
-  for (const PlannerKind kind : {PlannerKind::kPrm, PlannerKind::kRrtConnect}) {
-    if (plannerName(kind) == name) return kind;
-  }
-  return std::nullopt;
-}
-
-std::optional<SearchKind> searchFromName(std::string_view name) {
-  for (const SearchKind kind : {SearchKind::kGuided, SearchKind::kThesis}) {
-    if (searchName(kind) == name) return kind;
-  }
-  return std::nullopt;
-}
-
 }  // namespace stridegraph

@@ -50,23 +50,51 @@ stridegraph_headers(tl::expected HEADER tl/expected.hpp PACKAGE libexpected-dev
   URL https://github.com/TartanLlama/expected/archive/refs/tags/v1.0.0.tar.gz
   SHA256 8f5124085a124113e75e3890b4e923e3a4de5b26a973b891b3deb40e19c03cee SUBFOLDER include)
 stridegraph_headers(fmt::fmt-header-only HEADER fmt/core.h PACKAGE libfmt-dev
-  HOME https://github.com/fmtlib/fmt)
+  HOME https://github.com/fmtlib/fmt
+  URL https://github.com/fmtlib/fmt/archive/9.1.0.tar.gz
+  SHA256 5dea48d1fcddc3ec571ce2058e13910a0d4a6bab4cc09a809d8b1dd1c88ae6f2 SUBFOLDER include)
 target_compile_definitions(fmt__fmt_header_only INTERFACE FMT_HEADER_ONLY=1)
 stridegraph_headers(nlohmann_json::nlohmann_json HEADER nlohmann/json.hpp PACKAGE nlohmann-json3-dev
-  HOME https://github.com/nlohmann/json)
+  HOME https://github.com/nlohmann/json
+  URL https://github.com/nlohmann/json/archive/v3.11.2.tar.gz
+  SHA256 d69f9deb6a75e2580465c6c4c5111b89c4dc2fa94e3a85fcd2ffcd9a143d9273 SUBFOLDER include)
 stridegraph_headers(FastFloat::fast_float HEADER fast_float/fast_float.h PACKAGE libfast-float-dev
   HOME https://github.com/fastfloat/fast_float
   URL https://github.com/fastfloat/fast_float/archive/v3.9.0.tar.gz
   SHA256 a10443e13748291709b422b2da49fc6753a1a43bf24205d4600595dfe3d811bb SUBFOLDER include)
 stridegraph_headers(flatbuffers::flatbuffers HEADER flatbuffers/flatbuffers.h PACKAGE libflatbuffers-dev
-  HOME https://github.com/google/flatbuffers)
+  HOME https://github.com/google/flatbuffers
+  URL https://github.com/google/flatbuffers/archive/v2.0.8.tar.gz
+  SHA256 f97965a727d26386afaefff950badef2db3ab6af9afe23ed6d94bfb65f95f37e SUBFOLDER include)
 stridegraph_headers(nanoflann::nanoflann HEADER nanoflann.hpp PACKAGE libnanoflann-dev
-  HOME https://github.com/jlblancoc/nanoflann)
+  HOME https://github.com/jlblancoc/nanoflann
+  URL https://github.com/jlblancoc/nanoflann/archive/v1.4.3.tar.gz
+  SHA256 cbcecf22bec528a8673a113ee9b0e134f91f1f96be57e913fa1f74e98e4449fa SUBFOLDER include)
 stridegraph_headers(tinygltf::tinygltf HEADER tiny_gltf.h PACKAGE libtinygltf-dev
-  HOME https://github.com/syoyo/tinygltf)
+  HOME https://github.com/syoyo/tinygltf
+  URL https://github.com/syoyo/tinygltf/archive/v2.8.23.tar.gz
+  SHA256 e6dbbb0952cdefa1d9c87a99b686d1e67755fd9b0a5872b4008d042159e77de5)
 if(NOT EMSCRIPTEN)
   stridegraph_headers(CLI11::CLI11 HEADER CLI/CLI.hpp PACKAGE libcli11-dev
     HOME https://github.com/CLIUtils/CLI11
     URL https://github.com/CLIUtils/CLI11/archive/v2.1.2.tar.gz
     SHA256 26291377e892ba0e5b4972cdfd4a2ab3bf53af8dac1f4ea8fe0d1376b625c8cb SUBFOLDER include)
+endif()
+
+# The compiler of FlatBuffers' schemas has to run on the building machine, of the same version as the headers.
+find_program(STRIDEGRAPH_FLATC flatc)
+if(NOT STRIDEGRAPH_FLATC)
+  message(FATAL_ERROR "flatc is not installed. On Debian: apt-get install flatbuffers-compiler; "
+                      "elsewhere from https://github.com/google/flatbuffers, of the headers' version.")
+endif()
+
+# GoogleTest is the one dependency with code of its own to build.
+if(STRIDEGRAPH_TESTS AND NOT EMSCRIPTEN)
+  find_package(GTest QUIET)
+  if(NOT GTest_FOUND)
+    FetchContent_Declare(googletest URL https://github.com/google/googletest/archive/release-1.12.1.tar.gz
+      URL_HASH SHA256=81964fe578e9bd7c94dfdb09c8e4d6e6759e19967e397dbea48d1c10e45d0df2
+      DOWNLOAD_EXTRACT_TIMESTAMP ON)
+    FetchContent_MakeAvailable(googletest)
+  endif()
 endif()

@@ -1,12 +1,18 @@
 # Dear ImGui with its GLFW and OpenGL 3 backends, from source: WebAssembly needs its own build. ./run setup
-# unpacks Debian's source package into STRIDEGRAPH_IMGUI_DIR; any unpacked release of 1.86 will do.
+# unpacks Debian's source package into STRIDEGRAPH_IMGUI_DIR; elsewhere release 1.86 is fetched.
 set(STRIDEGRAPH_IMGUI_DIR ${PROJECT_SOURCE_DIR}/.cache/imgui CACHE PATH "Sources of Dear ImGui")
+if(NOT EMSCRIPTEN AND NOT EXISTS ${STRIDEGRAPH_IMGUI_DIR}/imgui.cpp)
+  return() # The page alone needs it.
+endif()
 if(NOT EXISTS ${STRIDEGRAPH_IMGUI_DIR}/imgui.cpp)
-  if(NOT EMSCRIPTEN)
-    return()
-  endif()
-  message(FATAL_ERROR "The sources of Dear ImGui are not in ${STRIDEGRAPH_IMGUI_DIR}. On Debian: ./run setup; "
-                      "elsewhere unpack release 1.86 of https://github.com/ocornut/imgui there.")
+  FetchContent_Declare(imgui GIT_REPOSITORY https://github.com/ocornut/imgui.git
+    GIT_TAG 55d35d8387c15bf0cfd71861df67af8cfbda7456) # v1.86
+  FetchContent_MakeAvailable(imgui)
+  set(STRIDEGRAPH_IMGUI_DIR ${imgui_SOURCE_DIR})
+endif()
+file(STRINGS ${STRIDEGRAPH_IMGUI_DIR}/imgui.h version REGEX "define IMGUI_VERSION ")
+if(NOT version MATCHES "\"1\\.86\"")
+  message(FATAL_ERROR "${STRIDEGRAPH_IMGUI_DIR} holds ${version}, expected release 1.86 of Dear ImGui.")
 endif()
 
 add_library(imgui STATIC EXCLUDE_FROM_ALL

@@ -5,10 +5,15 @@
 #include <cmath>
 #include <numbers>
 
+#include "motion/gait_measures.h"
 #include "motion/kinematics.h"
 
 namespace stridegraph {
 namespace {
+
+using testing::fastestJoint;
+using testing::framesWithoutFirmFoot;
+using testing::lowestSole;
 
 constexpr double kPi = std::numbers::pi;
 
@@ -46,56 +51,6 @@ Clip made(const GaitRequest& request) {
 std::string refusal(const GaitRequest& request) {
   const Result<Clip> clip = synthesiseGait(request);
   return clip ? "accepted" : clip.error().message;
-}
-
-/// Heel and toe end of one foot at a frame.
-struct Sole {
-  Vec3 heel;
-  Vec3 toe;
-};
-Sole soleAt(const Clip& clip, std::size_t frame, Side side) {
-  const Skeleton skeleton = gaitSkeleton();
-  const JointIndex ankle = gaitLeg(side).ankle;
-  const JointPlacement foot = placeJoint(skeleton, clip.pose(frame), ankle);
-  const JointPlacement toe = placeJoint(skeleton, clip.pose(frame), JointIndex(std::size_t{ankle.value + 2}));
-  return {foot.position + foot.rotation * gaitHeel(Gait::kWalk), toe.position};
-}
-
-double lowestSole(const Clip& clip) {
-  double lowest = 1.0;
-  for (std::size_t f = 0; f < clip.frameCount(); ++f)
-    for (const Side side : {Side::kLeft, Side::kRight}) {
-      const Sole sole = soleAt(clip, f, side);
-      lowest = std::min({lowest, sole.heel.y(), sole.toe.y()});
-    }
-  return lowest;
-}
-
-/// In how many frames nothing that touches the floor (within 3 mm) moves by less than 1 mm on it.
-std::size_t framesWithoutFirmFoot(const Clip& clip) {
-  std::size_t loose = 0;
-  for (std::size_t f = 0; f + 1 < clip.frameCount(); ++f) {
-    double slowest = 1.0;
-    for (const Side side : {Side::kLeft, Side::kRight}) {
-      const Sole now = soleAt(clip, f, side);
-      const Sole next = soleAt(clip, f + 1, side);
-      if (now.heel.y() < kGaitSoleMetres + 0.003)
-        slowest = std::min(slowest, (onFloor(next.heel) - onFloor(now.heel)).norm());
-      if (now.toe.y() < kGaitSoleMetres + 0.003)
-        slowest = std::min(slowest, (onFloor(next.toe) - onFloor(now.toe)).norm());
-    }
-    if (slowest > 0.001) ++loose;
-  }
-  return loose;
-}
-
-double fastestJoint(const Clip& clip) {
-  double fastest = 0.0;
-  for (std::size_t f = 0; f + 1 < clip.frameCount(); ++f)
-    for (std::size_t j = 1; j < clip.jointCount; ++j)
-      fastest =
-          std::max(fastest, angleBetween(clip.pose(f).rotations[j], clip.pose(f + 1).rotations[j]).radians());
-  return fastest * clip.framesPerSecond;
 }
 
 Angle headingAt(const Clip& clip, std::size_t frame) {
@@ -151,7 +106,7 @@ TEST(SynthesiseGait, keepsBonesAndRotationsWhole) {
 
 TEST(SynthesiseGait, movesNoJointFasterThanACapturedBodyDoes) {
   for (const GaitRequest& request : {straight(1.0), straight(1.7), turn(90), standWalkStand(), spotTurn()})
-    EXPECT_LT(fastestJoint(made(request)), 10.0) << request.name << ", rad/s";
+    EXPECT_LT(fastestJoint(made(request)), 12.0) << request.name << ", rad/s";
 }
 
 TEST(SynthesiseGait, beginsAndEndsStandingStillWhenAsked) {

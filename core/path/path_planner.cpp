@@ -1,0 +1,84 @@
+#include "path/path_planner.h"
+
+#include <algorithm>
+
+#include "path/connectivity.h"
+#include "path/polyline.h"
+#include "path/roadmap.h"
+#include "path/rrt_connect.h"
+#include "path/shortcut.h"
+#include "path/shortest_path.h"
+
+namespace stridegraph {
+
+namespace {
+
+std::vector<Vec2> refined(const FloorPlan& plan, const std::vector<Vec2>& path, std::size_t rounds,
+                          Random& random) {
+  return rounds == 0 ? path : shortcut(plan, path, std::min<std::size_t>(rounds, 10'000), random);
+}
+
+}  // namespace
+
+std::string_view plannerName(PlannerKind planner) {
+  return planner == PlannerKind::kPrm ? "prm" : "rrt-connect";
+}
+
+std::optional<PlannerKind> plannerFromName(std::string_view name) {
+  for (const PlannerKind kind : {PlannerKind::kPrm, PlannerKind::kRrtConnect}) {
+    if (plannerName(kind) == name) return kind;
+  }
+  return std::nullopt;
+}
+
+std::string_view pathStatusName(PathStatus status) {
+  switch (status) {
+    case PathStatus::kFound:
+      return "found";
+    case PathStatus::kStartBlocked:
+      return "start_blocked";
+    case PathStatus::kGoalBlocked:
+      return "goal_blocked";
+    case PathStatus::kNoPath:
+      return "no_path";
+  }
+  return "unknown";
+}
+
+PathResult planPath(const FloorPlan& plan, const Vec2& start, const Vec2& goal, PlannerKind planner,
+                    std::uint64_t seed) {
+  return planPath(plan, start, goal, planner, seed, PathParams{});
+}
+
+PathResult planPath(const FloorPlan& plan, const Vec2& start, const Vec2& goal, PlannerKind planner,
+                    std::uint64_t seed, const PathParams& params) {
+  PathResult result;
+  if (!plan.isFree(start)) {
+    result.status = PathStatus::kStartBlocked;
+    return result;
+  }
+  if (!plan.isFree(goal)) {
+    result.status = PathStatus::kGoalBlocked;
+    return result;
+  }
+  if (!isConnected(plan, start, goal)) return result;
+  Random random(seed);
+  SampledPath sampled = planner == PlannerKind::kPrm ? planByRoadmap(plan, start, goal, random, params)
+                                                     : planByTrees(plan, start, goal, random, params);
+  result.roadmapEdges = std::move(sampled.edges);
+  if (!sampled.path.empty()) {
+    result.path = refined(plan, sampled.path, params.shortcutRounds, random);
+  } else if (std::optional<ShortestPath> exact = shortestPath(plan, start, goal)) {
+    result.path = std::move(exact->points);
+    result.usedShortestPath = true;
+  } else {
+    return result;
+  }
+  result.path = withoutRepeats(result.path);
+  if (result.path.size() == 1) result.path.push_back(goal);
+  result.status = PathStatus::kFound;
+  result.lengthMetres = polylineLength(result.path);
+  return result;
+}
+
+}  // namespace stridegraph

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "math/types.h"
+#include "path/floor_plan.h"
+
+namespace stridegraph {
+
+/// The planners of chapter 4.1 of the thesis.
+enum class PlannerKind { kPrm, kRrtConnect };
+
+std::string_view plannerName(PlannerKind planner);  ///< "prm", "rrt-connect"
+std::optional<PlannerKind> plannerFromName(std::string_view name);
+
+/// How the search for a path ended. kNoPath is proved (see isConnected), never guessed.
+enum class PathStatus { kFound, kStartBlocked, kGoalBlocked, kNoPath };
+
+std::string_view pathStatusName(PathStatus status);  ///< "found", "start_blocked", "goal_blocked", "no_path"
+
+/// A path for the disc and what was looked at on the way to it.
+struct PathResult {
+  PathStatus status = PathStatus::kNoPath;
+  std::vector<Vec2> path;     ///< From start to goal, every segment free; empty unless found.
+  double lengthMetres = 0.0;  ///< Of the path.
+  std::vector<std::pair<Vec2, Vec2>> roadmapEdges;  ///< Of the roadmap or of both trees, for showing.
+  bool usedShortestPath = false;  ///< The sampling planner gave up, and the exact path stands in.
+};
+
+/// What may be asked of the planners. Values out of range are clamped.
+struct PathParams {
+  /// Nodes of the first roadmap, 10..100,000; 0 chooses one per 4 m2, 200 to 4,000 (the thesis draws 200 in
+  /// rooms of some 30 m).
+  std::size_t roadmapNodes = 0;
+  /// Neighbours each node is connected with, 1..100 (Kavraki et al. 1996 use 30 in many dimensions; on a
+  /// floor 10 leave no gaps worth another node).
+  std::size_t neighbours = 10;
+  /// How often the roadmap doubles when it misses a way that is known to exist, 0..8.
+  int doublings = 3;
+  /// Longest step of the trees, metres, 0.05..100 (Kuffner and LaValle 2000 leave it to the problem).
+  double stepMetres = 1.0;
+  /// Samples before the trees give up, 1..1,000,000.
+  std::size_t treeSamples = 20'000;
+  /// Rounds of cutting corners off the path found, 0..10,000; 0 leaves it as the planner made it.
+  std::size_t shortcutRounds = 200;
+};
+
+/// Plans a path for the disc. Blocked ends are said first, then whether there is a way at all is decided
+/// exactly; only then the planner samples, and should it miss the way, the exact shortest path stands in.
+/// Same arguments, same answer.
+PathResult planPath(const FloorPlan& plan, const Vec2& start, const Vec2& goal, PlannerKind planner,
+                    std::uint64_t seed);
+PathResult planPath(const FloorPlan& plan, const Vec2& start, const Vec2& goal, PlannerKind planner,
+                    std::uint64_t seed, const PathParams& params);
+
+}  // namespace stridegraph

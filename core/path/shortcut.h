@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "math/random.h"
+#include "math/types.h"
+#include "path/floor_plan.h"
+
+namespace stridegraph {
+
+/// Cuts corners off a free path: straight lines between random places on it, where these are free, and at
+/// last without every point that can be left out. Never longer than before; ends stay.
+std::vector<Vec2> shortcut(const FloorPlan& plan, std::span<const Vec2> path, std::size_t rounds,
+                           Random& random);
+
+}  // namespace stridegraph

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace stridegraph {
+
+/// Members of a scene's JSON object that this version knows; all others are kept as they are.
+inline bool isKnownSceneMember(std::string_view name) {
+  constexpr std::array<std::string_view, 10> kKnown = {"version", "name",  "width", "depth",  "obstacles",
+                                                       "moving",  "start", "goal",  "radius", "seed"};
+  return std::find(kKnown.begin(), kKnown.end(), name) != kKnown.end();
+}
+
+}  // namespace stridegraph

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "path/floor_plan.h"
+#include "scene/scene.h"
+#include "walk/motion_path.h"
+#include "walk/search_graph.h"
+
+namespace stridegraph {
+
+/// Which search finds the motion: `guided` is ours, `thesis` the best-first search of section 5.5 as printed.
+enum class SearchKind { kGuided, kThesis };
+
+std::string_view searchName(SearchKind search);  ///< "guided", "thesis"
+std::optional<SearchKind> searchFromName(std::string_view name);
+
+/// What a motion search is asked. Start and goal are free and a path leads from one to the other.
+struct MotionQuery {
+  const MotionLibrary& library;
+  const SearchGraph& graph;
+  const FloorPlan& plan;
+  Placement start;  ///< Without a heading the search may choose one.
+  Vec2 goal;
+  double goalRadiusMetres = 0.1;  ///< The walk ends with the root this near the goal.
+  std::span<const Vec2> path;     ///< From start to goal, at least two points.
+  std::span<const Vec2>
+      subgoals;  ///< Along the path; the last one is the goal. Only the thesis search needs them.
+  std::uint64_t seed = 1;
+  std::function<bool()> outOfTime;  ///< Asked now and then; true ends the search. May be empty.
+};
+
+enum class SearchStatus { kArrived, kNoMotion, kBudgetSpent };
+
+struct MotionResult {
+  SearchStatus status = SearchStatus::kNoMotion;
+  MotionPath path;               ///< Without steps unless arrived.
+  std::uint64_t expansions = 0;  ///< States whose ways on were looked at.
+  std::string explanation;       ///< When not arrived: what stood in the way.
+};
+
+/// Runs the search of that kind.
+MotionResult searchMotion(SearchKind kind, const MotionQuery& query);
+
+}  // namespace stridegraph

@@ -1,0 +1,37 @@
+#include <nlohmann/json.hpp>
+
+#include "base/hash.h"
+#include "walk/plan.h"
+
+namespace stridegraph {
+
+std::string toJson(const PlanReport& report) {
+  nlohmann::ordered_json json;
+  json["status"] = planStatusName(report.status);
+  json["explanation"] = report.explanation;
+  json["seed"] = report.seed;
+  json["planner"] = plannerName(report.planner);
+  json["search"] = searchName(report.search);
+  json["radius_m"] = report.radiusMetres;
+  json["goal_radius_m"] = report.goalRadiusMetres;
+  json["units_per_metre"] = report.unitsPerMetre;
+  json["path_ms"] = report.pathMilliseconds;
+  json["motion_ms"] = report.motionMilliseconds;
+  json["synthesis_ms"] = report.synthesisMilliseconds;
+  json["total_ms"] = report.totalMilliseconds;
+  json["path_length_m"] = report.pathLengthMetres;
+  json["motion_length_m"] = report.motionLengthMetres;
+  json["duration_s"] = report.durationSeconds;
+  json["frames"] = report.frames;
+  json["expansions"] = report.expansions;
+  json["transitions"] = report.transitions;
+  nlohmann::ordered_json edges = nlohmann::ordered_json::array();
+  for (const auto& [from, to] : report.edges) edges.push_back({from.value, to.value});
+  json["edges"] = std::move(edges);
+  json["clearance_m"] = report.clearanceMetres;
+  json["foot_skate_cm_s"] = report.footSkateCmPerSecond;
+  json["library_hash"] = hexDigits(report.libraryHash);
+  return json.dump(1);
+}
+
+}  // namespace stridegraph

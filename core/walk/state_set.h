@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace stridegraph {
+
+/// A set of 64 bit keys, none of them ~0, by open addressing: only insertion, which is all that a closed list
+/// needs.
+class StateSet {
+ public:
+  StateSet() : slots_(kInitialSlots, kEmpty) {}
+
+  /// Adds a key; false when it was there.
+  bool insert(std::uint64_t key) {
+    if (count_ * 2 >= slots_.size()) grow();
+    if (!place(key)) return false;
+    ++count_;
+    return true;
+  }
+
+  bool contains(std::uint64_t key) const { return slots_[slotOf(key)] == key; }
+
+ private:
+  static constexpr std::uint64_t kEmpty = ~0ULL;
+  static constexpr std::size_t kInitialSlots = 1U << 14U;
+
+  /// The slot that holds the key, or the empty one where it belongs.
+  std::size_t slotOf(std::uint64_t key) const {
+    const std::size_t mask = slots_.size() - 1;
+    std::size_t slot = static_cast<std::size_t>((key * 0x9e3779b97f4a7c15ULL) >> 20U) & mask;
+    while (slots_[slot] != kEmpty && slots_[slot] != key) slot = (slot + 1) & mask;
+    return slot;
+  }
+
+  bool place(std::uint64_t key) {
+    std::uint64_t& slot = slots_[slotOf(key)];
+    if (slot == key) return false;
+    slot = key;
+    return true;
+  }
+
+  void grow() {
+    std::vector<std::uint64_t> old(slots_.size() * 2, kEmpty);
+    old.swap(slots_);
+    for (const std::uint64_t key : old) {
+      if (key != kEmpty) place(key);
+    }
+  }
+
+  std::vector<std::uint64_t> slots_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace stridegraph

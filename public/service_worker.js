@@ -1,0 +1,32 @@
+// Keeps the page usable without a network after the first visit. The build puts in its version and the list
+// of its files; every version has a cache of its own, and an older one goes when a newer one takes over.
+const VERSION = '@STRIDEGRAPH_SITE_VERSION@'
+const FILES = [
+  @STRIDEGRAPH_SITE_FILES@
+]
+const CACHE = `stridegraph-${VERSION}`
+
+self.addEventListener('install', (event) => {
+  const requests = FILES.map((file) => new Request(file, { cache: 'no-cache' }))
+  event.waitUntil(caches.open(CACHE).then((cache) => cache.addAll(requests)))
+})
+
+self.addEventListener('activate', (event) => {
+  const isOld = (name) => name.startsWith('stridegraph-') && name !== CACHE
+  event.waitUntil(
+    caches.keys().then((names) => Promise.all(names.filter(isOld).map((name) => caches.delete(name)))),
+  )
+})
+
+// The network first, so that nobody sees a stale page; the cache when there is none.
+self.addEventListener('fetch', (event) => {
+  const { request } = event
+  if (request.method !== 'GET' || new URL(request.url).origin !== self.location.origin) return
+  const fromCache = async (problem) => {
+    const cache = await caches.open(CACHE)
+    const found = await cache.match(request.mode === 'navigate' ? './' : request, { ignoreSearch: true })
+    if (found) return found
+    throw problem
+  }
+  event.respondWith(fetch(request).catch(fromCache))
+})

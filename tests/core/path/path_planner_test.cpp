@@ -1,0 +1,160 @@
+#include "path/path_planner.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "path/polyline.h"
+#include "path/shortest_path.h"
+#include "path/test_rooms.h"
+
+namespace stridegraph {
+namespace {
+
+constexpr double kRadius = 0.4;
+
+/// What every planner promises.
+class PlannerContract : public testing::TestWithParam<PlannerKind> {
+ protected:
+  static PathResult plan(const Scene& scene, std::uint64_t seed = 1, const PathParams& params = {}) {
+    return planPath(FloorPlan(scene, kRadius), scene.start.position, scene.goal.position, GetParam(), seed,
+                    params);
+  }
+
+  static void expectSound(const Scene& scene, const PathResult& result) {
+    const FloorPlan floor(scene, kRadius);
+    ASSERT_EQ(result.status, PathStatus::kFound);
+    ASSERT_GE(result.path.size(), 2U);
+    EXPECT_EQ(result.path.front(), scene.start.position);
+    EXPECT_EQ(result.path.back(), scene.goal.position);
+    for (std::size_t i = 1; i < result.path.size(); ++i) {
+      EXPECT_TRUE(floor.isFree(result.path[i - 1], result.path[i])) << "segment " << i;
+    }
+    for (const auto& [from, to] : result.roadmapEdges) EXPECT_TRUE(floor.isFree(from, to));
+    EXPECT_DOUBLE_EQ(result.lengthMetres, polylineLength(result.path));
+    const auto shortest = shortestPath(floor, scene.start.position, scene.goal.position);
+    ASSERT_TRUE(shortest);
+    EXPECT_GE(result.lengthMetres, shortest->lengthMetres - 1e-5);
+  }
+};
+
+TEST_P(PlannerContract, findsAFreePathAroundABlock) {
+  const Scene scene = roomWithOneBlock();
+  const PathResult result = plan(scene);
+  expectSound(scene, result);
+  EXPECT_FALSE(result.roadmapEdges.empty());
+  EXPECT_LT(result.lengthMetres, 1.1 * 6.915);
+}
+
+TEST_P(PlannerContract, saysThatTheStartIsBlocked) {
+  Scene scene = roomWithOneBlock();
+  scene.start.position = {5.0, 5.0};
+  const PathResult result = plan(scene);
+  EXPECT_EQ(result.status, PathStatus::kStartBlocked);
+  EXPECT_TRUE(result.path.empty());
+}
+
+TEST_P(PlannerContract, saysThatTheGoalIsBlocked) {
+  Scene scene = roomWithOneBlock();
+  scene.goal.position = {9.9, 5.0};
+  EXPECT_EQ(plan(scene).status, PathStatus::kGoalBlocked);
+}
+
+TEST_P(PlannerContract, saysThatThereIsNoWayToASealedGoal) {
+  const PathResult result = plan(roomWithSealedGoal());
+  EXPECT_EQ(result.status, PathStatus::kNoPath);
+  EXPECT_TRUE(result.path.empty());
+  EXPECT_EQ(result.lengthMetres, 0.0);
+}
+
+TEST_P(PlannerContract, goesNowhereWhenStartEqualsGoal) {
+  Scene scene = roomWithOneBlock();
+  scene.goal = scene.start;
+  const PathResult result = plan(scene);
+  expectSound(scene, result);
+  EXPECT_EQ(result.lengthMetres, 0.0);
+}
+
+TEST_P(PlannerContract, givesTheSameAnswerForTheSameSeed) {
+  Random random(31);
+  Scene scene = randomRoom(random, 15);
+  while (!placeEnds(random, scene, kRadius) || plan(scene).status != PathStatus::kFound) {
+    scene = randomRoom(random, 15);
+  }
+  const PathResult first = plan(scene, 7);
+  const PathResult second = plan(scene, 7);
+  EXPECT_EQ(first.path, second.path);
+  EXPECT_EQ(first.roadmapEdges, second.roadmapEdges);
+  EXPECT_NE(first.roadmapEdges, plan(scene, 8).roadmapEdges);
+}
+
+TEST_P(PlannerContract, neverMissesAWayNorInventsOneInRandomRooms) {
+  Random random(32);
+  int found = 0;
+  int refused = 0;
+  for (int room = 0; room < 150; ++room) {
+    Scene scene = randomRoom(random, 45);
+    if (!placeEnds(random, scene, kRadius)) continue;
+    const PathResult result = plan(scene, static_cast<std::uint64_t>(room));
+    const auto shortest = shortestPath(FloorPlan(scene, kRadius), scene.start.position, scene.goal.position);
+    ASSERT_EQ(result.status == PathStatus::kFound, shortest.has_value()) << "room " << room;
+    (shortest ? found : refused) += 1;
+    if (shortest) expectSound(scene, result);
+  }
+  EXPECT_GT(found, 30);
+  EXPECT_GT(refused, 30);
+}
+
+TEST_P(PlannerContract, fallsBackToTheExactPathWhenSamplesMissTheGap) {
+  Scene scene = roomWithGap(2.0 * kRadius + 1e-4);
+  scene.start.position = {3.0, 1.5};
+  scene.goal.position = {9.0, 1.5};
+  PathParams params;
+  params.roadmapNodes = 50;
+  params.doublings = 1;
+  params.treeSamples = 50;
+  const PathResult result = plan(scene, 1, params);
+  expectSound(scene, result);
+  EXPECT_TRUE(result.usedShortestPath);
+}
+
+TEST_P(PlannerContract, leavesThePathAsPlannedWithoutShortcuts) {
+  const Scene scene = roomWithOneBlock();
+  PathParams params;
+  params.shortcutRounds = 0;
+  const PathResult raw = plan(scene, 1, params);
+  expectSound(scene, raw);
+  EXPECT_LE(plan(scene).lengthMetres, raw.lengthMetres);
+}
+
+INSTANTIATE_TEST_SUITE_P(EveryPlanner, PlannerContract,
+                         testing::Values(PlannerKind::kPrm, PlannerKind::kRrtConnect),
+                         [](const testing::TestParamInfo<PlannerKind>& planner) {
+                           return planner.param == PlannerKind::kPrm ? "prm" : "rrtConnect";
+                         });
+
+TEST(PathPlanner, namesPlannersAndStatuses) {
+  for (const PlannerKind kind : {PlannerKind::kPrm, PlannerKind::kRrtConnect}) {
+    EXPECT_EQ(plannerFromName(plannerName(kind)), kind);
+  }
+  EXPECT_EQ(plannerName(PlannerKind::kRrtConnect), "rrt-connect");
+  EXPECT_EQ(plannerFromName("a-star"), std::nullopt);
+  EXPECT_EQ(pathStatusName(PathStatus::kNoPath), "no_path");
+}
+
+TEST(PathPlanner, doublesTheRoadmapUntilItFindsANarrowWay) {
+  Scene scene = roomWithGap(2.0 * kRadius + 0.3);
+  PathParams params;
+  params.roadmapNodes = 10;
+  params.doublings = 8;
+  scene.start.position = {3.0, 1.5};
+  scene.goal.position = {9.0, 1.5};
+  const FloorPlan plan(scene, kRadius);
+  const PathResult result =
+      planPath(plan, scene.start.position, scene.goal.position, PlannerKind::kPrm, 1, params);
+  EXPECT_EQ(result.status, PathStatus::kFound);
+  EXPECT_FALSE(result.usedShortestPath);
+}
+
+}  // namespace
+}  // namespace stridegraph

@@ -1,0 +1,202 @@
+#include "scene/scene_json.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <sstream>
+#include <string>
+
+#include "math/random.h"
+#include "scene/test_scenes.h"
+
+namespace stridegraph {
+namespace {
+
+const std::string kValid = R"({"version": 1, "name": "Hall", "width": 20, "depth": 12,
+ "obstacles": [{"x": 10, "z": 2.2, "width": 1, "depth": 7.4}, {"x": 4, "z": 9, "width": 2, "depth": 1}],
+ "moving": [{"width": 1, "depth": 2, "repeat": "pingpong", "track": [{"t": 0, "x": 1, "z": 5}, {"t": 2.5, "x": 3, "z": 5}]}],
+ "start": {"x": 3, "z": 3, "heading_deg": 90}, "goal": {"x": 17, "z": 3}, "radius": 0.35, "seed": 18446744073709551615})";
+
+/// The valid scene with one piece of its text replaced.
+std::string changed(const std::string& from, const std::string& to) {
+  std::string text = kValid;
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+std::string refusal(const std::string& text) {
+  const Result<Scene> scene = readSceneJson(text);
+  if (scene) return "accepted";
+  EXPECT_EQ(scene.error().code, ErrorCode::kSceneValue);
+  return scene.error().message;
+}
+
+TEST(SceneJson, readsEveryMember) {
+  const Result<Scene> scene = readSceneJson(kValid);
+  ASSERT_TRUE(scene) << scene.error().message;
+  EXPECT_EQ(scene->name, "Hall");
+  EXPECT_EQ(scene->widthMetres, 20.0);
+  EXPECT_EQ(scene->depthMetres, 12.0);
+  ASSERT_EQ(scene->obstacles.size(), 2U);
+  EXPECT_EQ(scene->obstacles[0].centre, Vec2(10.0, 2.2));
+  EXPECT_EQ(scene->obstacles[0].size, Vec2(1.0, 7.4));
+  ASSERT_EQ(scene->moving.size(), 1U);
+  EXPECT_EQ(scene->moving[0].repeat, TrackRepeat::kPingPong);
+  EXPECT_EQ(scene->moving[0].track[1].seconds, 2.5);
+  EXPECT_EQ(scene->moving[0].track[1].position, Vec2(3.0, 5.0));
+  EXPECT_EQ(scene->start.heading, Angle::degrees(90.0));
+  EXPECT_EQ(scene->goal.heading, std::nullopt);
+  EXPECT_EQ(scene->radiusMetres, 0.35);
+  EXPECT_EQ(scene->seed, std::numeric_limits<std::uint64_t>::max());
+  EXPECT_EQ(scene->unknownMembers, "");
+}
+
+TEST(SceneJson, fillsInWhatMayBeMissing) {
+  const Result<Scene> scene = readSceneJson(
+      R"({"width": 5, "depth": 6, "obstacles": [], "start": {"x": 1, "z": 1}, "goal": {"x": 4, "z": 5}})");
+  ASSERT_TRUE(scene);
+  EXPECT_EQ(scene->radiusMetres, 0.4);
+  EXPECT_EQ(scene->seed, 1U);
+  EXPECT_EQ(scene->name, "");
+}
+
+TEST(SceneJson, namesMembersThatAreMissingOrOfTheWrongType) {
+  EXPECT_EQ(refusal(changed(R"("width": 20, )", "")), "width: found nothing, expected a number");
+  EXPECT_EQ(refusal(changed("20", "\"wide\"")), "width: found \"wide\", expected a number");
+  EXPECT_EQ(refusal(changed(R"("x": 4, )", "")), "obstacles[1].x: found nothing, expected a number");
+  EXPECT_EQ(refusal(changed(R"({"x": 17, "z": 3})", "[17, 3]")), "goal: found a list, expected an object");
+  EXPECT_EQ(refusal(changed(R"("Hall")", "null")), "name: found null, expected a text");
+  EXPECT_EQ(refusal(changed("18446744073709551615", "-1")),
+            "seed: found -1, expected a whole number from 0 to 18446744073709551615");
+  EXPECT_EQ(refusal(changed(R"("pingpong")", R"("pong")")),
+            "moving[0].repeat: found \"pong\", expected \"loop\", \"pingpong\" or \"once\"");
+  EXPECT_EQ(refusal(changed("90", "\"east\"")), "start.heading_deg: found \"east\", expected a number");
+  EXPECT_EQ(refusal(changed(R"([{"t": 0, "x": 1, "z": 5}, {"t": 2.5, "x": 3, "z": 5}])", "7")),
+            "moving[0].track: found 7, expected a list");
+  EXPECT_EQ(refusal("[1, 2]"), "scene: found a list, expected an object");
+  EXPECT_EQ(refusal(changed(R"({"x": 4, "z": 9, "width": 2, "depth": 1})", "4")),
+            "obstacles[1]: found 4, expected an object");
+}
+
+TEST(SceneJson, namesMembersOutOfRange) {
+  EXPECT_EQ(refusal(changed("20", "0.5")), "width: found 0.5, expected a number from 1 to 1000");
+  EXPECT_EQ(refusal(changed("12", "1001")), "depth: found 1001, expected a number from 1 to 1000");
+  EXPECT_EQ(refusal(changed("7.4", "-1")), "obstacles[0].depth: found -1, expected a number above 0");
+  EXPECT_EQ(refusal(changed(R"("width": 2,)", R"("width": 0,)")),
+            "obstacles[1].width: found 0, expected a number above 0");
+  EXPECT_EQ(refusal(changed("0.35", "0")), "radius: found 0, expected a number from 0.05 to 5");
+  EXPECT_EQ(refusal(changed("2.5", "0")), "moving[0].track[1].t: found 0, expected a time above 0");
+  EXPECT_EQ(refusal(changed(R"([{"t": 0, "x": 1, "z": 5}, {"t": 2.5, "x": 3, "z": 5}])", "[]")),
+            "moving[0].track: found 0 elements, expected at least 1");
+}
+
+TEST(SceneJson, refusesVersionsItDoesNotKnow) {
+  EXPECT_EQ(refusal(changed("\"version\": 1", "\"version\": 2")),
+            "version: found 2, expected 1: the scene was made by a newer program");
+  EXPECT_EQ(refusal(changed("\"version\": 1", "\"version\": \"1\"")), "version: found \"1\", expected 1");
+  EXPECT_EQ(refusal(changed("\"version\": 1", "\"version\": 0")), "version: found 0, expected 1");
+}
+
+TEST(SceneJson, refusesMoreObstaclesThanAnyoneDraws) {
+  std::string list = R"({"x": 1, "z": 1, "width": 1, "depth": 1})";
+  std::string many = list;
+  for (int i = 0; i < 10'000; ++i) many += "," + list;
+  EXPECT_EQ(refusal(changed(R"({"x": 4, "z": 9, "width": 2, "depth": 1})", many)),
+            "obstacles: found 10002 elements, expected at most 10000");
+}
+
+TEST(SceneJson, pointsAtTheLineAndColumnOfBrokenText) {
+  const Result<Scene> scene = readSceneJson("{\n  \"width\": 20,\n  \"depth\" 12\n}", "room.json");
+  ASSERT_FALSE(scene);
+  EXPECT_EQ(scene.error().code, ErrorCode::kSceneSyntax);
+  EXPECT_EQ(describe(scene.error().place), "room.json:3:12");
+  EXPECT_NE(scene.error().message.find("expected valid JSON"), std::string::npos);
+  EXPECT_EQ(readSceneJson("{\"width\": 1e999}").error().code, ErrorCode::kSceneSyntax);
+  EXPECT_EQ(readSceneJson("").error().code, ErrorCode::kSceneSyntax);
+  EXPECT_EQ(readSceneJson("{\"name\": \"\xff\"}").error().code, ErrorCode::kSceneSyntax);
+}
+
+TEST(SceneJson, refusesEndlessNesting) {
+  const Result<Scene> scene = readSceneJson(std::string(200'000, '['));
+  ASSERT_FALSE(scene);
+  EXPECT_NE(scene.error().message.find("64 levels of nesting"), std::string::npos);
+}
+
+TEST(SceneJson, keepsUnknownMembersInTheirOrder) {
+  const std::string text =
+      changed("\"seed\"", R"("zoom": 2.5, "author": {"name": "A", "tags": [1, null]}, "seed")");
+  const Result<Scene> scene = readSceneJson(text);
+  ASSERT_TRUE(scene);
+  EXPECT_EQ(scene->unknownMembers, R"({"zoom":2.5,"author":{"name":"A","tags":[1,null]}})");
+  const Result<Scene> again = readSceneJson(writeSceneJson(*scene));
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->unknownMembers, scene->unknownMembers);
+}
+
+TEST(SceneJson, leavesOutUnknownMembersThatWouldSpoilTheText) {
+  Scene scene = *readSceneJson(kValid);
+  scene.unknownMembers = "{\"a\": ";
+  expectSameScene(*readSceneJson(writeSceneJson(scene)), *readSceneJson(kValid));
+  scene.unknownMembers = R"({"width": 3})";
+  EXPECT_EQ(readSceneJson(writeSceneJson(scene))->widthMetres, 20.0);
+}
+
+TEST(SceneJson, writesWhatItReadsBitForBit) {
+  Random random(51);
+  for (int i = 0; i < 200; ++i) {
+    const Scene scene = randomScene(random);
+    const Result<Scene> again = readSceneJson(writeSceneJson(scene));
+    ASSERT_TRUE(again) << again.error().message;
+    expectSameScene(*again, scene);
+  }
+}
+
+TEST(SceneJson, writesShortNumbers) {
+  Scene scene = *readSceneJson(kValid);
+  scene.start.heading = Angle::degrees(33.3);
+  const std::string text = writeSceneJson(scene);
+  EXPECT_NE(text.find(R"("heading_deg": 33.3})"), std::string::npos) << text;
+  EXPECT_NE(text.find(R"({"x": 10, "z": 2.2, "width": 1, "depth": 7.4})"), std::string::npos) << text;
+}
+
+TEST(SceneJson, staysWithinOneUnitForHeadingsNoDegreesGive) {
+  Random random(52);
+  for (int i = 0; i < 1000; ++i) {
+    Scene scene = *readSceneJson(kValid);
+    const double radians = random.uniform(-3.2, 3.2);
+    scene.start.heading = Angle::radians(radians);
+    const double again = readSceneJson(writeSceneJson(scene))->start.heading->radians();
+    EXPECT_LE(std::abs(again - radians), std::abs(radians) * std::numeric_limits<double>::epsilon());
+  }
+}
+
+TEST(SceneJson, checksScenesMadeInCode) {
+  Scene scene = *readSceneJson(kValid);
+  EXPECT_TRUE(checkScene(scene));
+  scene.goal.position.x() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(checkScene(scene).error().message, "goal.x: found nan, expected a finite number");
+  EXPECT_FALSE(readSceneJson(writeSceneJson(scene)));
+}
+
+TEST(SceneJson, readsEverySampleSceneAndWritesItAsItStands) {
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(STRIDEGRAPH_SAMPLE_SCENES)) {
+    if (entry.path().extension() != ".json") continue;
+    std::ifstream file(entry.path());
+    std::stringstream text;
+    text << file.rdbuf();
+    const Result<Scene> scene = readSceneJson(text.str(), entry.path().filename().string());
+    ASSERT_TRUE(scene) << describe(scene.error());
+    EXPECT_EQ(writeSceneJson(*scene), text.str());
+    EXPECT_TRUE(scene->start.heading && scene->goal.heading) << entry.path();
+    ++count;
+  }
+  EXPECT_GE(count, 7);
+}
+
+}  // namespace
+}  // namespace stridegraph

@@ -1,0 +1,61 @@
+#include "walk/synthesis.h"
+
+#include <gtest/gtest.h>
+
+#include "walk/test_library.h"
+
+namespace stridegraph {
+namespace {
+
+using testing::kStepMetres;
+using testing::threeArcs;
+
+/// Straight piece, over to the left turn, its piece.
+MotionPath turnLeft() {
+  return {{{2, 3}, Heading::fromAngle(Angle::degrees(90))},
+          {{EdgeIndex(std::size_t{0}), 4, 12},
+           {EdgeIndex(std::size_t{2}), 0, 12},
+           {EdgeIndex(std::size_t{4}), 0, 6}}};
+}
+
+TEST(Synthesise, beginsAtTheStartFacingAsAsked) {
+  const SynthesisedWalk walk = synthesise(threeArcs(), turnLeft());
+  EXPECT_TRUE(walk.clip.rootPositions[0].isApprox(Vec3(2, 1, 3), 1e-9));
+  EXPECT_NEAR(separateHeading(walk.clip.pose(0).rotations[0]).heading.angle().degrees(), 90.0, 1e-6);
+}
+
+TEST(Synthesise, showsEveryFrameOnce) {
+  const SynthesisedWalk walk = synthesise(threeArcs(), turnLeft());
+  EXPECT_EQ(walk.clip.frameCount(), 1U + 8U + 12U + 6U);
+  for (std::size_t f = 1; f < walk.clip.frameCount(); ++f) {
+    EXPECT_NEAR((walk.clip.rootPositions[f] - walk.clip.rootPositions[f - 1]).norm(), kStepMetres, 2e-3) << f;
+  }
+}
+
+TEST(Synthesise, tellsCapturedFromBlendedFrames) {
+  const SynthesisedWalk walk = synthesise(threeArcs(), turnLeft());
+  ASSERT_EQ(walk.frameKinds.size(), walk.clip.frameCount());
+  EXPECT_EQ(walk.frameKinds[8], EdgeKind::kClipPiece);
+  EXPECT_EQ(walk.frameKinds[9], EdgeKind::kTransition);
+  EXPECT_EQ(walk.frameKinds[19], EdgeKind::kTransition);
+  EXPECT_EQ(walk.frameKinds[20], EdgeKind::kClipPiece);
+}
+
+TEST(Synthesise, leavesCapturedFramesAsTheyAre) {
+  const MotionLibrary library = threeArcs();
+  const SynthesisedWalk walk = synthesise(library, turnLeft());
+  for (std::size_t f = 0; f <= 8; ++f) {
+    EXPECT_LT(
+        angleBetween(walk.clip.pose(f).rotations[1], library.frames.pose(18 + f).rotations[1]).radians(),
+        1e-9);
+    EXPECT_EQ(walk.contacts[f], library.contacts[18 + f]);
+  }
+}
+
+TEST(Synthesise, ofAStepWithoutFramesIsTheFirstPose) {
+  const SynthesisedWalk walk = synthesise(threeArcs(), {{}, {{EdgeIndex(std::size_t{0}), 3, 3}}});
+  EXPECT_EQ(walk.clip.frameCount(), 1U);
+}
+
+}  // namespace
+}  // namespace stridegraph

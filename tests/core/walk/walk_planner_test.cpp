@@ -1,0 +1,211 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "walk/plan.h"
+#include "walk/test_library.h"
+
+namespace stridegraph {
+namespace {
+
+std::shared_ptr<const MotionLibrary> sharedLibrary() {
+  static const auto library = std::make_shared<const MotionLibrary>(testing::threeArcs());
+  return library;
+}
+
+/// An open room of 12 by 12 m, to be crossed.
+Scene openRoom() {
+  Scene scene;
+  scene.start = {{2, 6}, Angle::degrees(90)};
+  scene.goal = {{9, 6}, {}};
+  return scene;
+}
+
+/// The same with a wall across that leaves a gap of 2 m.
+Scene roomWithGap() {
+  Scene scene = openRoom();
+  scene.obstacles = {{{6, 5}, {0.4, 10}}};
+  return scene;
+}
+
+Plan planOf(const Scene& scene, const PlanOptions& options = {}) {
+  Result<Plan> plan = WalkPlanner(sharedLibrary()).plan(scene, options);
+  EXPECT_TRUE(plan.has_value()) << describe(plan.error());
+  return std::move(*plan);
+}
+
+std::string refusalOf(const Scene& scene, const PlanOptions& options = {}) {
+  const Result<Plan> plan = WalkPlanner(sharedLibrary()).plan(scene, options);
+  return plan ? "planned" : plan.error().message;
+}
+
+/// What every planner with every search promises.
+class PlanContract : public ::testing::TestWithParam<std::tuple<PlannerKind, SearchKind>> {
+ protected:
+  PlanOptions options() const {
+    PlanOptions options;
+    options.planner = std::get<0>(GetParam());
+    options.search = std::get<1>(GetParam());
+    options.goalRadiusMetres = 0.4;
+    return options;
+  }
+};
+
+TEST_P(PlanContract, walksAcrossAnOpenRoom) {
+  // The thesis's search promises nothing: some of eight seeds must do. The guided one arrives with the first.
+  PlanOptions seeded = options();
+  seeded.seed = 1;
+  Plan plan = planOf(openRoom(), seeded);
+  while (seeded.search == SearchKind::kThesis && plan.report.status != PlanStatus::kArrived &&
+         *seeded.seed < 8) {
+    ++*seeded.seed;
+    plan = planOf(openRoom(), seeded);
+  }
+  ASSERT_EQ(plan.report.status, PlanStatus::kArrived) << plan.report.explanation;
+  EXPECT_LT((onFloor(plan.walk.rootPositions.front()) - Vec2(2, 6)).norm(), 1e-9);
+  EXPECT_LE((onFloor(plan.walk.rootPositions.back()) - Vec2(9, 6)).norm(), 0.4 + 1e-9);
+  EXPECT_EQ(plan.report.frames, plan.walk.frameCount());
+  EXPECT_EQ(plan.frameKinds.size(), plan.walk.frameCount());
+}
+
+TEST_P(PlanContract, saysThatTheStartIsBlocked) {
+  Scene scene = openRoom();
+  scene.obstacles = {{{2, 6}, {1, 1}}};
+  const Plan plan = planOf(scene, options());
+  EXPECT_EQ(plan.report.status, PlanStatus::kStartBlocked);
+  EXPECT_EQ(plan.report.explanation, "the start is less than 0.40 m from an obstacle or a wall");
+}
+
+TEST_P(PlanContract, saysThatTheGoalIsBlocked) {
+  Scene scene = openRoom();
+  scene.goal.position = {11.9, 6};
+  EXPECT_EQ(planOf(scene, options()).report.status, PlanStatus::kGoalBlocked);
+}
+
+TEST_P(PlanContract, saysThatASealedGoalHasNoPath) {
+  Scene scene = openRoom();
+  scene.obstacles = {{{6, 6}, {0.4, 12}}};
+  const Plan plan = planOf(scene, options());
+  EXPECT_EQ(plan.report.status, PlanStatus::kNoPath);
+  EXPECT_EQ(plan.report.explanation, "no way from start to goal is 0.80 m wide everywhere");
+  EXPECT_EQ(plan.walk.frameCount(), 0U);
+}
+
+TEST_P(PlanContract, stopsWhenTheTimeIsSpent) {
+  PlanOptions hasty = options();
+  auto seconds = std::make_shared<double>(0.0);
+  hasty.clock = [seconds] { return 1000.0 * ++*seconds; };
+  hasty.budgetMilliseconds = 1.0;
+  EXPECT_EQ(planOf(openRoom(), hasty).report.status, PlanStatus::kBudgetSpent);
+}
+
+TEST_P(PlanContract, givesTheSameWalkForTheSameSeed) {
+  const Plan first = planOf(openRoom(), options());
+  const Plan second = planOf(openRoom(), options());
+  EXPECT_EQ(first.report.edges, second.report.edges);
+  EXPECT_EQ(toJson(first.report), toJson(second.report));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, PlanContract,
+                         ::testing::Combine(::testing::Values(PlannerKind::kPrm, PlannerKind::kRrtConnect),
+                                            ::testing::Values(SearchKind::kGuided, SearchKind::kThesis)),
+                         [](const auto& instance) {
+                           return std::string(std::get<0>(instance.param) == PlannerKind::kPrm
+                                                  ? "prm"
+                                                  : "rrtConnect") +
+                                  std::string(searchName(std::get<1>(instance.param)));
+                         });
+
+TEST(GuidedSearch, keepsClearOfWallsForEverySeed) {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    PlanOptions options;
+    options.seed = seed;
+    const Plan plan = planOf(roomWithGap(), options);
+    ASSERT_EQ(plan.report.status, PlanStatus::kArrived) << plan.report.explanation;
+    EXPECT_GE(plan.report.clearanceMetres, -1e-6);
+    EXPECT_LE((onFloor(plan.walk.rootPositions.back()) - Vec2(9, 6)).norm(), 0.1 + 1e-9);
+    EXPECT_LT(plan.report.motionLengthMetres, 1.2 * plan.report.pathLengthMetres);
+  }
+}
+
+TEST(GuidedSearch, choosesAHeadingWhereNoneIsAsked) {
+  Scene scene = roomWithGap();
+  scene.start.heading.reset();
+  EXPECT_EQ(planOf(scene).report.status, PlanStatus::kArrived);
+}
+
+/// A corridor along z, entered facing its wall.
+Plan planInCorridor(double widthMetres) {
+  Scene scene;
+  scene.widthMetres = widthMetres;
+  scene.start = {{widthMetres / 2, 6.0}, Angle::degrees(90)};
+  scene.goal = {{widthMetres / 2, 10.0}, {}};
+  scene.radiusMetres = 0.45;
+  return planOf(scene);
+}
+
+TEST(GuidedSearch, saysNoMotionWhereTheClipsCannotTurn) {
+  const PlanReport report = planInCorridor(1.3).report;
+  EXPECT_EQ(report.status, PlanStatus::kNoMotion);
+  EXPECT_NE(report.explanation.find("every way on ends at a wall"), std::string::npos) << report.explanation;
+}
+
+TEST(GuidedSearch, saysWhenNoFirstStepFits) {
+  const PlanReport report = planInCorridor(1.0).report;
+  EXPECT_EQ(report.status, PlanStatus::kNoMotion);
+  EXPECT_NE(report.explanation.find("every first step from the start touches something"), std::string::npos)
+      << report.explanation;
+}
+
+TEST(ThesisSearch, doesNotLookAtObstaclesAndSaysSo) {
+  PlanOptions options;
+  options.search = SearchKind::kThesis;
+  options.goalRadiusMetres = 0.5;
+  Scene scene = openRoom();
+  scene.obstacles = {{{5.5, 6}, {1.0, 2.0}}};
+  std::size_t collided = 0;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    options.seed = seed;
+    const Plan plan = planOf(scene, options);
+    if (plan.report.status != PlanStatus::kArrived || plan.report.clearanceMetres >= 0.0) continue;
+    ++collided;
+    EXPECT_NE(plan.report.explanation.find("into an obstacle or a wall"), std::string::npos);
+  }
+  EXPECT_GT(collided, 0U);
+}
+
+TEST(WalkPlanner, namesTheOptionThatIsOutOfRange) {
+  PlanOptions options;
+  options.goalRadiusMetres = 0.0;
+  EXPECT_EQ(refusalOf(openRoom(), options), "goal radius: found 0, expected 0.01 to 5");
+  options = {};
+  options.radiusMetres = 9.0;
+  EXPECT_EQ(refusalOf(openRoom(), options), "radius: found 9, expected 0.05 to 5");
+  options = {};
+  options.budgetMilliseconds = -1.0;
+  EXPECT_EQ(refusalOf(openRoom(), options), "budget in milliseconds: found -1, expected 0 to 1000000000");
+}
+
+TEST(WalkPlanner, refusesASceneThatIsOutOfRange) {
+  Scene scene = openRoom();
+  scene.widthMetres = -1.0;
+  EXPECT_NE(refusalOf(scene), "planned");
+}
+
+TEST(PlanReport, holdsEveryFigureOfTheContract) {
+  const auto json = nlohmann::json::parse(toJson(planOf(roomWithGap()).report), nullptr, false);
+  ASSERT_TRUE(json.is_object());
+  for (const char* member : {"status",          "seed",          "planner",         "search",
+                             "radius_m",        "goal_radius_m", "units_per_metre", "path_ms",
+                             "motion_ms",       "synthesis_ms",  "total_ms",        "path_length_m",
+                             "motion_length_m", "duration_s",    "frames",          "expansions",
+                             "transitions",     "edges",         "clearance_m",     "foot_skate_cm_s",
+                             "library_hash"}) {
+    EXPECT_TRUE(json.contains(member)) << member;
+  }
+  EXPECT_EQ(json["status"], "arrived");
+  EXPECT_EQ(json["edges"][0].size(), 2U);
+}
+
+}  // namespace
+}  // namespace stridegraph

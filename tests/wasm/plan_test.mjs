@@ -1,0 +1,150 @@
+import assert from 'node:assert/strict'
+import { after, before, describe, it } from 'node:test'
+import { defaultLibraryBytes, engine, smallRoom } from './support/engine.mjs'
+
+const reportMembers = [
+  'status',
+  'seed',
+  'planner',
+  'search',
+  'radius_m',
+  'goal_radius_m',
+  'units_per_metre',
+  'path_ms',
+  'motion_ms',
+  'synthesis_ms',
+  'total_ms',
+  'path_length_m',
+  'motion_length_m',
+  'duration_s',
+  'frames',
+  'expansions',
+  'transitions',
+  'edges',
+  'clearance_m',
+  'foot_skate_cm_s',
+  'library_hash',
+]
+
+let library
+before(() => {
+  library = engine.openLibrary(defaultLibraryBytes)
+})
+after(() => library.delete())
+
+describe('plan', () => {
+  it('arrives, and every array has the shape that its type says', () => {
+    const walk = library.plan(smallRoom())
+    const joints = walk.joints.length
+    assert.equal(walk.status, 'arrived')
+    assert.ok(walk.frames > 30)
+    assert.equal(walk.positions.length, walk.frames * joints * 3)
+    assert.equal(walk.rotations.length, walk.frames * joints * 4)
+    assert.equal(walk.blended.length, walk.frames)
+    assert.equal(walk.contacts.length, walk.frames)
+    assert.equal(walk.path.length % 2, 0)
+    assert.equal(walk.roadmap.length % 4, 0)
+    assert.equal(walk.fps, library.info.fps)
+  })
+
+  it('begins at the start and ends within the goal radius', () => {
+    const { positions, joints, frames, path } = library.plan(smallRoom(), { goalRadius: 0.3 })
+    const last = (frames - 1) * joints.length * 3
+    assert.ok(Math.hypot(positions[0] - 2, positions[2] - 4) < 0.01)
+    assert.ok(Math.hypot(positions[last] - 6, positions[last + 2] - 4) < 0.3 + 1e-4)
+    assert.deepEqual([...path.slice(0, 2)], [2, 4])
+    assert.deepEqual([...path.slice(-2)], [6, 4])
+  })
+
+  it('places joints where their rotations and offsets put them', () => {
+    const { positions, rotations, joints, frames } = library.plan(smallRoom())
+    const world = []
+    for (const frame of [0, frames >> 1, frames - 1]) {
+      joints.forEach(({ parent, offset }, index) => {
+        const local = rotations.subarray((frame * joints.length + index) * 4).slice(0, 4)
+        const at = positions.subarray((frame * joints.length + index) * 3).slice(0, 3)
+        if (parent < 0) {
+          world[index] = { rotation: local, position: at }
+          return
+        }
+        const from = world[parent]
+        const moved = rotate(from.rotation, offset)
+        const position = from.position.map((value, axis) => value + moved[axis])
+        position.forEach((value, axis) => assert.ok(Math.abs(value - at[axis]) < 1e-4, joints[index].name))
+        world[index] = { rotation: multiply(from.rotation, local), position }
+      })
+    }
+  })
+
+  it('reports all that the program reports', () => {
+    const { report, frames } = library.plan(smallRoom(), {
+      seed: 7,
+      search: 'thesis',
+      planner: 'rrt-connect',
+    })
+    for (const member of reportMembers) assert.ok(member in report, member)
+    assert.equal(report.seed, 7)
+    assert.equal(report.search, 'thesis')
+    assert.equal(report.planner, 'rrt-connect')
+    assert.equal(report.frames, frames)
+    assert.equal(report.library_hash, library.info.hash)
+  })
+
+  it('measures time', () => {
+    assert.ok(library.plan(smallRoom()).report.total_ms > 0)
+  })
+
+  it('gives the same walk for the same seed, from an object or its text', () => {
+    const first = library.plan(smallRoom(), { seed: 3 })
+    const second = library.plan(JSON.stringify(smallRoom()), { seed: 3 })
+    assert.deepEqual(first.report.edges, second.report.edges)
+    assert.deepEqual(first.positions, second.positions)
+  })
+
+  it('answers with a status where there is no way', () => {
+    const sealed = { ...smallRoom(), obstacles: [{ x: 4, z: 4, width: 0.5, depth: 8 }] }
+    const blockedStart = { ...smallRoom(), start: { x: 4, z: 4 } }
+    const blockedGoal = { ...smallRoom(), goal: { x: 4, z: 4 } }
+    for (const [scene, status] of [
+      [sealed, 'no_path'],
+      [blockedStart, 'start_blocked'],
+      [blockedGoal, 'goal_blocked'],
+    ]) {
+      const walk = library.plan(scene)
+      assert.equal(walk.status, status)
+      assert.equal(walk.frames, 0)
+      assert.equal(walk.positions.length, 0)
+    }
+  })
+
+  it('gives copies, which stay when memory grows and when the library is deleted', () => {
+    const own = engine.openLibrary(defaultLibraryBytes)
+    const walk = own.plan(smallRoom())
+    const kept = walk.positions.slice()
+    const more = Array.from({ length: 8 }, () => engine.openLibrary(defaultLibraryBytes))
+    more.forEach((one) => one.delete())
+    own.delete()
+    assert.deepEqual(walk.positions, kept)
+    assert.notEqual(walk.positions.buffer.byteLength, engine.memory.heapBytes)
+    assert.match(walk.toBvh(), /^HIERARCHY/)
+  })
+
+  it('gives values that a worker may post', () => {
+    const { positions, joints, report } = structuredClone(library.plan(smallRoom()))
+    assert.ok(positions.length > 0 && joints.length > 0 && report.edges.length > 0)
+  })
+})
+
+function multiply([aw, ax, ay, az], [bw, bx, by, bz]) {
+  return [
+    aw * bw - ax * bx - ay * by - az * bz,
+    aw * bx + ax * bw + ay * bz - az * by,
+    aw * by - ax * bz + ay * bw + az * bx,
+    aw * bz + ax * by - ay * bx + az * bw,
+  ]
+}
+
+function rotate([w, x, y, z], [vx, vy, vz]) {
+  const [, ...rotated] = multiply(multiply([w, x, y, z], [0, vx, vy, vz]), [w, -x, -y, -z])
+  return rotated
+}

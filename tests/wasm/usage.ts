@@ -1,0 +1,56 @@
+// A use of everything in stridegraph.d.ts, for the type checker alone; it is never run.
+import {
+  loadStridegraph,
+  StridegraphError,
+  type BuildReport,
+  type Scene,
+  type Walk,
+} from '../../build/wasm/stridegraph.mjs'
+
+const scene: Scene = {
+  version: 1,
+  width: 8,
+  depth: 8,
+  obstacles: [{ x: 4, z: 4, width: 1, depth: 2 }],
+  moving: [{ width: 1, depth: 1, repeat: 'loop', track: [{ t: 0, x: 1, z: 5 }] }],
+  start: { x: 2, z: 4, heading_deg: 90 },
+  goal: { x: 6, z: 4 },
+}
+
+export async function useEverything(bytes: ArrayBuffer, signal: AbortSignal): Promise<Uint8Array> {
+  const sg = await loadStridegraph({ wasmUrl: new URL('https://example.org/stridegraph_module.wasm') })
+  const library = sg.openLibrary(bytes)
+  const clip = { name: 'walk.bvh', text: 'HIERARCHY' }
+  const mine = sg.buildLibrary([clip], { threshold: 0.05, units: 'cm', up: 'y', mirror: true })
+  const report: BuildReport | undefined = mine.buildReport
+  console.log(report?.survivingShare, report?.warnings[0]?.line)
+
+  const build = sg.startBuild([clip], { units: 0.01 })
+  while (build.step()) console.log(build.progress)
+  build.finish().delete()
+  const onProgress = (progress: number) => console.log(progress)
+  const other = await sg.buildLibraryAsync([clip], { fps: 60 }, { onProgress, signal, sliceMs: 8 })
+  other.delete()
+
+  const walk: Walk = library.plan(scene, { seed: 1, planner: 'prm', search: 'guided', budgetMs: 100 })
+  const firstHeight: number | undefined = walk.positions[1]
+  const edges: [number, number][] = walk.report.edges
+  console.log(firstHeight, edges.length, walk.joints[0]?.name, walk.path.length, library.info.hash)
+  const { scene: shared, libraryHash } = sg.decodeLink(sg.encodeLink(scene, { search: 'thesis' }))
+  const hash: string | null = libraryHash
+  console.log(shared.width, hash, sg.errorCodes[0], sg.memory.heapBytes, walk.toBvh().length)
+  try {
+    library.plan('{}')
+  } catch (reason) {
+    if (reason instanceof StridegraphError) console.log(reason.code, reason.file, reason.line, reason.column)
+  }
+  // @ts-expect-error: an unknown planner
+  library.plan(scene, { planner: 'a-star' })
+  // @ts-expect-error: a scene without a room
+  library.plan({ start: { x: 0, z: 0 }, goal: { x: 1, z: 1 } })
+  // @ts-expect-error: a figure that is read only
+  walk.frames = 3
+  mine.delete()
+  library.delete()
+  return walk.toGlb()
+}

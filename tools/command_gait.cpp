@@ -1,0 +1,46 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+
+#include "commands.h"
+#include "files.h"
+#include "motion/bvh_writer.h"
+#include "motion/gait_library.h"
+#include "motion/gait_skeleton.h"
+
+namespace stridegraph::tools {
+namespace {
+
+int runGait(const std::string& folder) {
+  std::error_code failed;
+  std::filesystem::create_directories(folder, failed);
+  if (failed) {
+    fmt::print(stderr, "stridegraph gait: {}: cannot be made: {}\n", folder, failed.message());
+    return kWrongUse;
+  }
+  std::size_t frames = 0;
+  const std::vector<Clip> clips = defaultGaitClips();
+  for (const Clip& clip : clips) {
+    const auto written =
+        writeFile(folder + "/" + clip.name + ".bvh", writeBvh(gaitSkeleton(), gaitBvhLayout(), clip));
+    if (!written) {
+      fmt::print(stderr, "stridegraph gait: {}\n", describe(written.error()));
+      return kWrongUse;
+    }
+    frames += clip.frameCount();
+  }
+  fmt::print("{}: {} clips, {} frames\n", folder, clips.size(), frames);
+  return kDone;
+}
+
+}  // namespace
+
+void addGaitCommand(CLI::App& program, int& exitCode) {
+  CLI::App* command = program.add_subcommand("gait", "Write the synthesised default clips as BVH");
+  auto folder = std::make_shared<std::string>();
+  command->add_option("-o,--output", *folder, "Folder to write to")->required();
+  command->callback([folder, &exitCode] { exitCode = runGait(*folder); });
+}
+
+}  // namespace stridegraph::tools

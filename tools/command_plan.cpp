@@ -1,0 +1,127 @@
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+
+#include "commands.h"
+#include "files.h"
+#include "graph/sgraph_file.h"
+#include "motion/bvh_writer.h"
+#include "motion/glb_writer.h"
+#include "scene/scene_json.h"
+#include "walk/plan.h"
+
+namespace stridegraph::tools {
+namespace {
+
+struct PlanArguments {
+  std::string graphPath;
+  std::string scenePath;
+  std::string walkPath;
+  std::string reportPath;
+  std::uint64_t seed = 0;
+  double radiusMetres = 0.0;
+  std::string planner = "prm";
+  std::string search = "guided";
+  PlanOptions options;
+};
+
+double millisecondsNow() {
+  using Milliseconds = std::chrono::duration<double, std::milli>;
+  return Milliseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+Result<Plan> makePlan(const PlanArguments& arguments, std::shared_ptr<const MotionLibrary>& library) {
+  auto graphText = readFile(arguments.graphPath);
+  if (!graphText) return fail(std::move(graphText));
+  auto read = readSgraph(bytesOf(*graphText));
+  if (!read) {
+    read.error().place.file = arguments.graphPath;
+    return fail(std::move(read));
+  }
+  library = std::make_shared<const MotionLibrary>(std::move(*read));
+  auto sceneText = readFile(arguments.scenePath);
+  if (!sceneText) return fail(std::move(sceneText));
+  auto scene = readSceneJson(*sceneText, arguments.scenePath);
+  if (!scene) return fail(std::move(scene));
+  return WalkPlanner(library).plan(*scene, arguments.options);
+}
+
+Result<void> writeWalk(const std::string& path, const MotionLibrary& library, const Clip& walk) {
+  if (path.ends_with(".glb")) return writeFile(path, writeGlb(library.skeleton, walk));
+  return writeFile(path, writeBvh(library.skeleton, library.layout, walk));
+}
+
+int runPlan(const PlanArguments& arguments) {
+  std::shared_ptr<const MotionLibrary> library;
+  const Result<Plan> plan = makePlan(arguments, library);
+  if (!plan) {
+    fmt::print(stderr, "stridegraph plan: {}\n", describe(plan.error()));
+    return kWrongUse;
+  }
+  const PlanReport& report = plan->report;
+  Result<void> written;
+  const bool arrived = report.status == PlanStatus::kArrived;
+  if (arrived) written = writeWalk(arguments.walkPath, *library, plan->walk);
+  if (written && !arguments.reportPath.empty())
+    written = writeFile(arguments.reportPath, toJson(report) + "\n");
+  if (!written) {
+    fmt::print(stderr, "stridegraph plan: {}\n", describe(written.error()));
+    return kWrongUse;
+  }
+  if (!arrived) {
+    fmt::print(stderr, "stridegraph plan: {}: {}\n", planStatusName(report.status), report.explanation);
+    return kRefused;
+  }
+  fmt::print("{}: {} frames, {:.1f} s, {:.2f} m walked along a path of {:.2f} m, {} transitions, {:.1f} ms\n",
+             arguments.walkPath, report.frames, report.durationSeconds, report.motionLengthMetres,
+             report.pathLengthMetres, report.transitions, report.totalMilliseconds);
+  if (!report.explanation.empty()) fmt::print(stderr, "note: {}\n", report.explanation);
+  return kDone;
+}
+
+}  // namespace
+
+void addPlanCommand(CLI::App& program, int& exitCode) {
+  CLI::App* command =
+      program.add_subcommand("plan", "Plan a walk through a scene and write it as BVH or GLB");
+  auto arguments = std::make_shared<PlanArguments>();
+  command->add_option("--graph", arguments->graphPath, "Library (.sgraph)")->required();
+  command->add_option("--scene", arguments->scenePath, "Scene (JSON)")->required();
+  command->add_option("-o,--output", arguments->walkPath, "Walk to write: .bvh or .glb")
+      ->required()
+      ->check([](const std::string& path) {
+        return path.ends_with(".bvh") || path.ends_with(".glb")
+                   ? std::string()
+                   : "found " + path + ", expected a name ending in .bvh or .glb";
+      });
+  CLI::Option* seed = command->add_option("--seed", arguments->seed, "Instead of the scene's seed");
+  CLI::Option* radius = command->add_option("--radius", arguments->radiusMetres,
+                                            "Of the body's disc, metres, instead of the scene's");
+  command
+      ->add_option("--goal-radius", arguments->options.goalRadiusMetres,
+                   "Arrived when this near the goal, metres")
+      ->capture_default_str();
+  command->add_option("--planner", arguments->planner)
+      ->check(CLI::IsMember({"prm", "rrt-connect"}))
+      ->capture_default_str();
+  command->add_option("--search", arguments->search)
+      ->check(CLI::IsMember({"guided", "thesis"}))
+      ->capture_default_str();
+  command
+      ->add_option("--budget-ms", arguments->options.budgetMilliseconds,
+                   "Time for the motion search; 0: no limit")
+      ->capture_default_str();
+  command->add_option("--report", arguments->reportPath, "Write the report (JSON)");
+  command->callback([arguments, seed, radius, &exitCode] {
+    PlanOptions& options = arguments->options;
+    if (seed->count() > 0) options.seed = arguments->seed;
+    if (radius->count() > 0) options.radiusMetres = arguments->radiusMetres;
+    options.planner = *plannerFromName(arguments->planner);
+    options.search = *searchFromName(arguments->search);
+    options.clock = millisecondsNow;
+    exitCode = runPlan(*arguments);
+  });
+}
+
+}  // namespace stridegraph::tools

@@ -1,0 +1,246 @@
+/// The browser's driver: a WebGL 2 context, animation frames, and the functions that the page's scripts call.
+/// Emscripten's GLFW port is not used here: it listens for keys on the whole window and swallows them from
+/// the page, and knows neither touch nor device pixels. The scripts pass pointer and key events in instead.
+#include <emscripten.h>
+#include <emscripten/html5.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <string>
+
+#include "app.h"
+#include "motion/bvh_writer.h"
+#include "motion/glb_writer.h"
+#include "scene/scene_json.h"
+#include "scene/scene_link.h"
+#include "state/planning.h"
+#include "state/state_json.h"
+
+// clang-format off
+EM_JS(void, pageShowStatus, (const char* text), { Module["page"]["showStatus"](UTF8ToString(text)); });
+EM_JS(void, pageCopyText, (const char* text), { Module["page"]["copyText"](UTF8ToString(text)); });
+EM_JS(void, pageSetCursor, (int cursor), { Module["page"]["setCursor"](cursor); });
+EM_JS(char*, pagePasteText, (), { return allocateUTF8(Module["page"]["pasteText"]()); });
+// clang-format on
+
+namespace stridegraph {
+
+namespace {
+
+/// What lives as long as the page does: the app, the view's size, and the latest answer to the page.
+struct Page {
+  std::unique_ptr<App> app;
+  FrameRequest request;
+  double lastMilliseconds = 0.0;
+  std::string text;
+  std::vector<std::uint8_t> bytes;
+};
+
+Page& page() {
+  static Page instance;
+  return instance;
+}
+
+const char* answer(std::string text) {
+  page().text = std::move(text);
+  return page().text.c_str();
+}
+
+const char* answerError(const Error& error) {
+  return answer(describe(error));
+}
+
+AppHost browserHost() {
+  AppHost host;
+  host.clock = [] { return emscripten_get_now(); };
+  host.showStatus = [](const std::string& text) { pageShowStatus(text.c_str()); };
+  host.copyText = [](const std::string& text) { pageCopyText(text.c_str()); };
+  host.pasteText = [] {
+    char* text = pagePasteText();
+    std::string copy(text);
+    std::free(text);
+    return copy;
+  };
+  host.setCursor = [last = Cursor::kArrow](Cursor cursor) mutable {
+    if (cursor != last) pageSetCursor(static_cast<int>(cursor));
+    last = cursor;
+  };
+  return host;
+}
+
+EM_BOOL onAnimationFrame(double milliseconds, void*) {
+  Page& at = page();
+  at.request.deltaSeconds = std::clamp((milliseconds - at.lastMilliseconds) / 1000.0, 0.0, 0.25);
+  at.lastMilliseconds = milliseconds;
+  at.app->frame(at.request);
+  return EM_TRUE;
+}
+
+bool makeContext() {
+  EmscriptenWebGLContextAttributes wanted;
+  emscripten_webgl_init_context_attributes(&wanted);
+  wanted.majorVersion = 2;
+  wanted.alpha = EM_FALSE;
+  wanted.antialias = EM_TRUE;
+  wanted.powerPreference = EM_WEBGL_POWER_PREFERENCE_HIGH_PERFORMANCE;
+  const EMSCRIPTEN_WEBGL_CONTEXT_HANDLE context = emscripten_webgl_create_context("#view", &wanted);
+  return context > 0 && emscripten_webgl_make_context_current(context) == EMSCRIPTEN_RESULT_SUCCESS;
+}
+
+Modifiers modifiersOf(int bits) {
+  return {(bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0};
+}
+
+SharedScene sharedScene(const AppState& state) {
+  SharedScene shared;
+  shared.scene = state.scene;
+  shared.search = std::string(searchName(state.settings.search));
+  shared.libraryHash = state.library ? state.library->hash : 0;
+  return shared;
+}
+
+}  // namespace
+
+extern "C" {
+
+/// Makes the app on the canvas #view. Answers an empty text, or the reason why it cannot.
+EMSCRIPTEN_KEEPALIVE const char* sgStart(bool playsAtOnce, bool dark) {
+  if (!makeContext()) return answer("WebGL 2 is not available.");
+  Result<std::unique_ptr<App>> app = App::create(browserHost());
+  if (!app) return answerError(app.error());
+  page().app = std::move(*app);
+  ViewOptions view = page().app->state().view;
+  view.startsPlaying = playsAtOnce;
+  view.dark = dark;
+  page().app->run({ChangeView{view}});
+  return answer("");
+}
+
+EMSCRIPTEN_KEEPALIVE void sgRun() {
+  emscripten_request_animation_frame_loop(onAnimationFrame, nullptr);
+}
+
+EMSCRIPTEN_KEEPALIVE void sgSetFont(const std::uint8_t* bytes, std::size_t size) {
+  page().app->setFont({bytes, bytes + size});
+}
+
+EMSCRIPTEN_KEEPALIVE const char* sgOpenLibrary(const std::uint8_t* bytes, std::size_t size) {
+  const Result<void> opened = page().app->openLibrary({bytes, size});
+  return opened ? answer("") : answerError(opened.error());
+}
+
+EMSCRIPTEN_KEEPALIVE const char* sgOpenScene(const char* text, const char* name) {
+  const Result<Scene> scene = readSceneJson(text, name);
+  if (!scene) return answerError(scene.error());
+  page().app->openScene(*scene, std::string("Open ") + name);
+  return answer("");
+}
+
+EMSCRIPTEN_KEEPALIVE const char* sgOpenLink(const char* fragment) {
+  const Result<SharedScene> shared = decodeLink(fragment);
+  if (!shared) return answer(shared.error().message);
+  App& app = *page().app;
+  PlanSettings settings = app.state().settings;
+  settings.search = searchFromName(shared->search).value_or(settings.search);
+  app.run({ChangeSettings{settings}});
+  app.openScene(shared->scene, "Open link");
+  const bool otherLibrary =
+      shared->libraryHash != 0 && app.state().library && app.state().library->hash != shared->libraryHash;
+  if (otherLibrary) {
+    app.run(
+        {Say{"This link was made with another motion library: the room is the same, the walk may differ."}});
+  }
+  return answer("");
+}
+
+EMSCRIPTEN_KEEPALIVE const char* sgLink() {
+  return answer(encodeLink(sharedScene(page().app->state())));
+}
+EMSCRIPTEN_KEEPALIVE const char* sgSceneJson() {
+  return answer(writeSceneJson(page().app->state().scene));
+}
+EMSCRIPTEN_KEEPALIVE const char* sgState() {
+  return answer(toJson(page().app->state()));
+}
+
+/// The walk as a file; an empty one without a walk.
+EMSCRIPTEN_KEEPALIVE const std::uint8_t* sgWalkFile(bool glb) {
+  const AppState& state = page().app->state();
+  page().bytes.clear();
+  if (state.hasWalk() && glb) page().bytes = writeGlb(state.library->skeleton, state.plan->walk);
+  if (state.hasWalk() && !glb) {
+    const std::string text = writeBvh(state.library->skeleton, state.library->layout, state.plan->walk);
+    page().bytes.assign(text.begin(), text.end());
+  }
+  return page().bytes.data();
+}
+EMSCRIPTEN_KEEPALIVE std::size_t sgWalkFileSize() {
+  return page().bytes.size();
+}
+
+EMSCRIPTEN_KEEPALIVE void sgSay(const char* text, bool problem) {
+  page().app->run({Say{text, problem}});
+}
+
+EMSCRIPTEN_KEEPALIVE void sgSetDark(bool dark) {
+  ViewOptions view = page().app->state().view;
+  view.dark = dark;
+  page().app->run({ChangeView{view}});
+}
+
+EMSCRIPTEN_KEEPALIVE void sgResize(double width, double height, double pixelRatio) {
+  page().request.viewport = {std::max(width, 1.0), std::max(height, 1.0)};
+  page().request.pixelRatio = pixelRatio;
+}
+
+/// kind: 0 move, 1 press, 2 release, 3 leave; modifiers: 1 control or command, 2 shift, 4 alt.
+EMSCRIPTEN_KEEPALIVE void sgPointer(int kind, double x, double y, int button, bool touch, int modifiers) {
+  static constexpr InputKind kKinds[] = {InputKind::kMove, InputKind::kPress, InputKind::kRelease,
+                                         InputKind::kLeave};
+  InputEvent event;
+  event.kind = kKinds[kind];
+  event.position = Vec2(x, y);
+  event.button = std::clamp(button, 0, 2);
+  event.touch = touch;
+  event.modifiers = modifiersOf(modifiers);
+  page().app->add(event);
+}
+
+EMSCRIPTEN_KEEPALIVE void sgWheel(double x, double y, double notches, int modifiers) {
+  InputEvent event;
+  event.kind = InputKind::kWheel;
+  event.position = Vec2(x, y);
+  event.wheel = notches;
+  event.modifiers = modifiersOf(modifiers);
+  page().app->add(event);
+}
+
+EMSCRIPTEN_KEEPALIVE void sgPinch(double dragX, double dragY, double scale, double twistRadians) {
+  InputEvent event;
+  event.kind = InputKind::kPinch;
+  event.drag = Vec2(dragX, dragY);
+  event.scale = scale;
+  event.twistRadians = twistRadians;
+  page().app->add(event);
+}
+
+/// key: the position in Key (ui/input.h).
+EMSCRIPTEN_KEEPALIVE void sgKey(int key, bool down, int modifiers) {
+  InputEvent event;
+  event.kind = down ? InputKind::kKeyDown : InputKind::kKeyUp;
+  event.key = static_cast<Key>(std::clamp(key, 0, static_cast<int>(Key::kCount) - 1));
+  event.modifiers = modifiersOf(modifiers);
+  page().app->add(event);
+}
+
+EMSCRIPTEN_KEEPALIVE void sgText(unsigned character, int modifiers) {
+  InputEvent event;
+  event.kind = InputKind::kText;
+  event.character = character;
+  event.modifiers = modifiersOf(modifiers);
+  page().app->add(event);
+}
+
+}  // extern "C"
+
+}  // namespace stridegraph

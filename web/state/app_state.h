@@ -1,0 +1,132 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "graph/library.h"
+#include "scene/scene.h"
+#include "state/camera.h"
+#include "walk/plan.h"
+
+namespace stridegraph {
+
+enum class Tool { kSelect, kBlock, kStart, kGoal };
+
+enum class ItemKind { kNothing, kObstacle, kStart, kGoal };
+
+/// What the pointer touches or has chosen.
+struct Item {
+  ItemKind kind = ItemKind::kNothing;
+  std::size_t obstacle = 0;  ///< Index into Scene::obstacles for kObstacle.
+
+  bool operator==(const Item&) const = default;
+};
+
+enum class HandleKind { kNone, kBody, kCorner, kEdge, kHeading };
+
+/// A part of an item that can be dragged. For corners and edges, which sides move: -1 low, +1 high, 0
+/// neither.
+struct Handle {
+  Item item;
+  HandleKind kind = HandleKind::kNone;
+  int sideX = 0;
+  int sideZ = 0;
+};
+
+/// A change of the scene that is still under the pointer. It becomes one step of the history when let go.
+struct Drag {
+  Handle handle;
+  Vec2 grabbedAt = Vec2::Zero();    ///< Floor coordinates, at planeHeight.
+  double planeHeight = 0.0;         ///< Height of the plane along which the pointer moves, metres.
+  std::optional<Tool> drawnWith;    ///< Set while a new item is being drawn.
+  std::optional<Item> selectAfter;  ///< What is chosen once it is let go.
+  Scene before;
+  Scene preview;
+  bool moved = false;
+};
+
+/// Earlier and later scenes, each with the name of the step that leads away from it or to it.
+struct HistoryStep {
+  std::string label;
+  std::string mergeKey;  ///< Steps in a row that share one are a single step; empty merges with nothing.
+  Scene scene;
+};
+struct History {
+  std::vector<HistoryStep> past;
+  std::vector<HistoryStep> future;
+};
+
+struct PlanSettings {
+  PlannerKind planner = PlannerKind::kPrm;
+  SearchKind search = SearchKind::kGuided;
+  double goalRadiusMetres = 0.1;
+};
+
+/// When the walk is planned again.
+struct Replanning {
+  bool wanted = false;
+  double changedAtSeconds = 0.0;  ///< Of the latest change.
+  double plannedAtSeconds = -1e9;
+  double lastMilliseconds = 0.0;  ///< How long the latest plan took.
+  unsigned generation = 0;        ///< Grows with every plan, so that what is derived from it can follow.
+};
+
+struct Playback {
+  double seconds = 0.0;
+  double speed = 1.0;  ///< 0.1..2.
+  bool playing = false;
+  bool loop = true;
+};
+
+struct ViewOptions {
+  bool dark = false;
+  bool roadmap = true;
+  bool path = true;
+  bool subgoals = true;
+  bool trail = true;
+  bool footprints = true;
+  bool tintBlends = false;
+  bool startsPlaying = true;  ///< Whether a newly opened scene plays at once.
+};
+
+/// A sentence shown for a while over the view.
+struct Notice {
+  std::string text;
+  double untilSeconds = 0.0;
+  bool problem = false;
+};
+
+/// Everything that the app knows. Panels read it and return commands; only apply() and the drag change it.
+struct AppState {
+  Scene scene;
+  History history;
+  Item selection;
+  Item hovered;
+  Tool tool = Tool::kSelect;
+  std::optional<Drag> drag;
+
+  std::optional<MotionLibrary> library;
+  PlanSettings settings;
+  Replanning replanning;
+  std::optional<Plan> plan;
+  std::string planError;  ///< Why nothing could be planned at all; empty otherwise.
+
+  Playback playback;
+  Camera camera;
+  ViewOptions view;
+  Notice notice;
+  double nowSeconds = 0.0;
+
+  /// The scene as it stands on screen: with the drag that is under way.
+  const Scene& shownScene() const { return drag ? drag->preview : scene; }
+  bool hasWalk() const { return plan && plan->walk.frameCount() > 0; }
+  double walkSeconds() const;
+  /// The walk's frame that is on screen; 0 without a walk.
+  std::size_t shownFrame() const;
+};
+
+/// What a plan says to people, in one sentence.
+std::string statusSentence(const AppState& state);
+
+}  // namespace stridegraph

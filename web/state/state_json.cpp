@@ -1,0 +1,75 @@
+#include "state/state_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include "base/hash.h"
+#include "scene/scene_json.h"
+#include "state/playback.h"
+
+namespace stridegraph {
+
+namespace {
+
+const char* nameOf(CameraMode mode) {
+  switch (mode) {
+    case CameraMode::kOrbit:
+      return "orbit";
+    case CameraMode::kFollow:
+      return "follow";
+    case CameraMode::kTop:
+      return "top";
+  }
+  return "";
+}
+
+const char* nameOf(Tool tool) {
+  switch (tool) {
+    case Tool::kSelect:
+      return "select";
+    case Tool::kBlock:
+      return "block";
+    case Tool::kStart:
+      return "start";
+    case Tool::kGoal:
+      return "goal";
+  }
+  return "";
+}
+
+nlohmann::json planJson(const AppState& state) {
+  const PlanReport& report = state.plan->report;
+  nlohmann::json edges = nlohmann::json::array();
+  for (const auto& [from, to] : report.edges) edges.push_back({from.value, to.value});
+  return {{"status", std::string(planStatusName(report.status))},
+          {"edges", edges},
+          {"frames", report.frames},
+          {"path_length_m", report.pathLengthMetres},
+          {"motion_length_m", report.motionLengthMetres},
+          {"total_ms", report.totalMilliseconds}};
+}
+
+}  // namespace
+
+std::string toJson(const AppState& state) {
+  nlohmann::json json = {
+      {"sentence", statusSentence(state)},
+      {"planning", state.replanning.wanted || state.drag.has_value()},
+      {"plans", state.replanning.generation},
+      {"frame", state.shownFrame()},
+      {"playing", state.playback.playing},
+      {"camera", nameOf(state.camera.mode)},
+      {"tool", nameOf(state.tool)},
+      {"planner", std::string(plannerName(state.settings.planner))},
+      {"search", std::string(searchName(state.settings.search))},
+      {"undo_steps", state.history.past.size()},
+      {"redo_steps", state.history.future.size()},
+      {"scene", nlohmann::json::parse(writeSceneJson(state.shownScene()), nullptr, false)},
+      {"library_hash", state.library ? hexDigits(state.library->hash) : ""},
+  };
+  json["plan"] = state.plan ? planJson(state) : nlohmann::json();
+  const std::optional<Pose> pose = shownPose(state);
+  if (pose) json["root"] = {pose->rootPosition.x(), pose->rootPosition.y(), pose->rootPosition.z()};
+  return json.dump();
+}
+
+}  // namespace stridegraph
