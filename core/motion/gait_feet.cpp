@@ -11,8 +11,6 @@
 namespace stridegraph {
 namespace {
 
-constexpr double kWalkReach = 0.996;  ///< Longest leg in stance, as a share of its length.
-constexpr double kJogReach = 0.988;
 constexpr double kLongestLeg = 0.999;    ///< In swing, and where all else fails.
 constexpr double kWalkLowering = 0.020;  ///< Most that the root is lowered for a leg in stance, metres.
 constexpr double kJogLowering = 0.004;
@@ -51,7 +49,7 @@ Foot footOf(const Skeleton& skeleton, const GaitTrack& track, const Clip& clip, 
 }
 
 double reachAt(const GaitMoment& moment, double legMetres) {
-  return legMetres * std::lerp(kWalkReach, kJogReach, moment.jogShare);
+  return legMetres * std::lerp(gaitTable(Gait::kWalk).reach, gaitTable(Gait::kJog).reach, moment.jogShare);
 }
 
 /// Corrects every stance, and ends it before the leg would get too long.

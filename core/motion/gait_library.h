@@ -8,7 +8,7 @@ namespace stridegraph {
 
 /// The default clips: synthesised walks and jogs of the body of gaitSkeleton() at 30 frames a second, so that
 /// a library can be built with no captured data. Straight at several speeds, changes of speed, turns of 45,
-/// 90, 135 and 180 degrees to both sides, tight (0.6 m) and wide (1.2 m), slalom, start, stop, standing,
+/// 90, 135 and 180 degrees to both sides, tight (0.45 m) and wide (1.1 m), slalom, start, stop, standing,
 /// turns on the spot, jogs, and bridges between walk and jog. Left and right are mirror images. What connects
 /// clips lies 15 frames and more from their ends, since a transition cannot reach the rest. The same clips on
 /// every call.
