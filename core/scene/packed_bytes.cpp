@@ -27,9 +27,8 @@ void PackedWriter::varint(std::uint64_t value) {
 
 void PackedWriter::number(double value) {
   const double steps = std::round(value * kStepsPerUnit);
-  const bool isStepped =
-      std::abs(steps) <= kMostSteps &&
-      bitCast<std::uint64_t>(steps / kStepsPerUnit) == bitCast<std::uint64_t>(value);
+  const bool isStepped = std::abs(steps) <= kMostSteps &&
+                         bitCast<std::uint64_t>(steps / kStepsPerUnit) == bitCast<std::uint64_t>(value);
   if (!isStepped) {
     varint(kExactTag);
     fixed(bitCast<std::uint64_t>(value), 8);
