@@ -16,6 +16,9 @@ namespace stridegraph::bindings {
 
 using emscripten::val;
 
+LibraryHandle::LibraryHandle(MotionLibrary library)
+    : planner_(std::make_shared<const MotionLibrary>(std::move(library))) {}
+
 val LibraryHandle::open(const val& bytes) {
   const auto copy = emscripten::convertJSArrayToNumberVector<std::uint8_t>(bytes);
   Result<MotionLibrary> library = readSgraph(copy);
@@ -29,14 +32,15 @@ val LibraryHandle::plan(const std::string& scene, const val& options) const {
   Result<PlanOptions> read = readPlanOptions(options);
   if (!read) return refuse(read.error());
   read->clock = [] { return emscripten_get_now(); };
-  const Result<Plan> plan = planWalk(library_, *room, *read);
+  const Result<Plan> plan = planner_.plan(*room, *read);
   if (!plan) return refuse(plan.error());
-  return succeed(planValue(library_.skeleton, *plan));
+  return succeed(planValue(planner_.library().skeleton, *plan));
 }
 
 val LibraryHandle::info() const {
+  const MotionLibrary& library = planner_.library();
   val clips = val::array();
-  for (const LibraryClip& clip : library_.clips) {
+  for (const LibraryClip& clip : library.clips) {
     val value = val::object();
     value.set("name", clip.name);
     value.set("firstFrame", clip.firstFrame);
@@ -45,30 +49,30 @@ val LibraryHandle::info() const {
     clips.call<void>("push", value);
   }
   val contactJoints = val::array();
-  for (const JointIndex joint : library_.contactJoints) contactJoints.call<void>("push", joint.value);
+  for (const JointIndex joint : library.contactJoints) contactJoints.call<void>("push", joint.value);
 
   val value = val::object();
-  value.set("hash", hexDigits(library_.hash));
-  value.set("fps", library_.frames.framesPerSecond);
-  value.set("frames", static_cast<double>(library_.frames.frameCount()));
-  value.set("nodes", static_cast<double>(library_.graph.nodes.size()));
-  value.set("clipPieces", static_cast<double>(library_.graph.clipPieceCount()));
-  value.set("transitions", static_cast<double>(library_.graph.transitionCount()));
-  value.set("thresholdMetres", library_.params.thresholdMetres);
-  value.set("transitionFrames", library_.params.transitionFrames);
-  value.set("mirror", library_.params.mirror);
-  value.set("license", library_.license);
+  value.set("hash", hexDigits(library.hash));
+  value.set("fps", library.frames.framesPerSecond);
+  value.set("frames", static_cast<double>(library.frames.frameCount()));
+  value.set("nodes", static_cast<double>(library.graph.nodes.size()));
+  value.set("clipPieces", static_cast<double>(library.graph.clipPieceCount()));
+  value.set("transitions", static_cast<double>(library.graph.transitionCount()));
+  value.set("thresholdMetres", library.params.thresholdMetres);
+  value.set("transitionFrames", library.params.transitionFrames);
+  value.set("mirror", library.params.mirror);
+  value.set("license", library.license);
   value.set("clips", clips);
   value.set("contactJoints", contactJoints);
   return value;
 }
 
 val LibraryHandle::skeleton() const {
-  return skeletonValue(library_.skeleton, library_.layout);
+  return skeletonValue(planner_.library().skeleton, planner_.library().layout);
 }
 
 val LibraryHandle::toBytes() const {
-  const std::vector<std::uint8_t> bytes = writeSgraph(library_);
+  const std::vector<std::uint8_t> bytes = writeSgraph(planner_.library());
   return copyOut<std::uint8_t>(bytes);
 }
 

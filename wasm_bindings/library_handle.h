@@ -3,16 +3,16 @@
 #include <emscripten/val.h>
 
 #include <string>
-#include <utility>
 
 #include "graph/library.h"
+#include "walk/plan.h"
 
 namespace stridegraph::bindings {
 
 /// A library on the WebAssembly heap: the one kind of object that JavaScript holds on to and has to delete.
 class LibraryHandle {
  public:
-  explicit LibraryHandle(MotionLibrary library) : library_(std::move(library)) {}
+  explicit LibraryHandle(MotionLibrary library);
 
   /// {value: Library} from .sgraph bytes, a Uint8Array.
   static emscripten::val open(const emscripten::val& bytes);
@@ -27,7 +27,7 @@ class LibraryHandle {
   emscripten::val toBytes() const;
 
  private:
-  MotionLibrary library_;
+  WalkPlanner planner_;
 };
 
 }  // namespace stridegraph::bindings

@@ -1,10 +1,11 @@
 #include "path/distance_field.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <functional>
 #include <limits>
+
+#include "base/bits.h"
 
 namespace stridegraph {
 
@@ -40,7 +41,7 @@ struct DistanceField::Marching {
   std::vector<std::uint64_t> heap;
 
   void push(double value, std::size_t cell) {
-    const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(value));
+    const auto bits = bitCast<std::uint32_t>(static_cast<float>(value));
     heap.push_back((static_cast<std::uint64_t>(bits) << 32U) | static_cast<std::uint64_t>(cell));
     std::push_heap(heap.begin(), heap.end(), std::greater<>());
   }

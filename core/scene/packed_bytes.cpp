@@ -1,7 +1,8 @@
 #include "scene/packed_bytes.h"
 
-#include <bit>
 #include <cmath>
+
+#include "base/bits.h"
 
 namespace stridegraph {
 
@@ -26,12 +27,11 @@ void PackedWriter::varint(std::uint64_t value) {
 
 void PackedWriter::number(double value) {
   const double steps = std::round(value * kStepsPerUnit);
-  const bool isStepped =
-      std::abs(steps) <= kMostSteps &&
-      std::bit_cast<std::uint64_t>(steps / kStepsPerUnit) == std::bit_cast<std::uint64_t>(value);
+  const bool isStepped = std::abs(steps) <= kMostSteps &&
+                         bitCast<std::uint64_t>(steps / kStepsPerUnit) == bitCast<std::uint64_t>(value);
   if (!isStepped) {
     varint(kExactTag);
-    fixed(std::bit_cast<std::uint64_t>(value), 8);
+    fixed(bitCast<std::uint64_t>(value), 8);
     return;
   }
   // Lowest bit: the tag; next: the sign.
@@ -72,7 +72,7 @@ std::uint64_t PackedReader::varint() {
 
 double PackedReader::number() {
   const std::uint64_t packed = varint();
-  if (packed == kExactTag) return std::bit_cast<double>(fixed(8));
+  if (packed == kExactTag) return bitCast<double>(fixed(8));
   if ((packed & kExactTag) != 0) failed_ = true;
   const double steps = static_cast<double>(packed >> 2U);
   return ((packed & 2U) != 0 ? -steps : steps) / kStepsPerUnit;

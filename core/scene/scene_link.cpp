@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <bit>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "base/bits.h"
 #include "base/hash.h"
 #include "scene/base64_url.h"
 #include "scene/degrees.h"
@@ -50,8 +50,8 @@ void writePlacement(PackedWriter& writer, const Placement& placement) {
     return;
   }
   const double degrees = degreesThatGive(*placement.heading);
-  const bool exact = std::bit_cast<std::uint64_t>(Angle::degrees(degrees).radians()) ==
-                     std::bit_cast<std::uint64_t>(placement.heading->radians());
+  const bool exact = bitCast<std::uint64_t>(Angle::degrees(degrees).radians()) ==
+                     bitCast<std::uint64_t>(placement.heading->radians());
   writer.byte(exact ? kDegrees : kRadians);
   writer.number(exact ? degrees : placement.heading->radians());
 }
