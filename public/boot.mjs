@@ -69,7 +69,10 @@ async function start() {
   connectInput(canvas, bridge)
   await connectMenu(bridge, { dark })
   bridge.run()
-  globalThis.stridegraphApp = Object.freeze({ state: () => bridge.state() })
+  globalThis.stridegraphApp = Object.freeze({
+    state: () => bridge.state(),
+    pointOf: (x, z) => bridge.pointOf(x, z),
+  })
   loading.classList.add('done')
   canvas.focus({ preventScroll: true })
 }
@@ -77,5 +80,7 @@ async function start() {
 start().catch((problem) => giveUp(`Stridegraph could not start: ${problem.message}`))
 
 if ('serviceWorker' in navigator) {
-  addEventListener('load', () => navigator.serviceWorker.register('service_worker.js').catch(() => {}))
+  const register = () => navigator.serviceWorker.register('service_worker.js', { updateViaCache: 'none' })
+  // Without it the page works all the same, just not offline.
+  addEventListener('load', () => register().catch(() => {}))
 }

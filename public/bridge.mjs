@@ -81,6 +81,9 @@ export class AppBridge {
   sceneJson() {
     return this.#text('sgSceneJson')
   }
+  pointOf(x, z) {
+    return JSON.parse(this.#text('sgPointOf', ['number', 'number'], [x, z]))
+  }
   state() {
     return JSON.parse(this.#text('sgState'))
   }

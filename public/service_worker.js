@@ -1,13 +1,12 @@
-// Keeps the page usable without a network after the first visit. The build puts in its version and the list
-// of its files; every version has a cache of its own, and an older one goes when a newer one takes over.
-const VERSION = '@STRIDEGRAPH_SITE_VERSION@'
-const FILES = [
-  @STRIDEGRAPH_SITE_FILES@
-]
-const CACHE = `stridegraph-${VERSION}`
+// Keeps the page usable without a network after the first visit. site_files.js is written by the build: a
+// version, and every file of the page. Each version has a cache of its own, and an older one goes when a newer
+// one takes over.
+importScripts('site_files.js')
+const { version, files } = self.stridegraphSite
+const CACHE = `stridegraph-${version}`
 
 self.addEventListener('install', (event) => {
-  const requests = FILES.map((file) => new Request(file, { cache: 'no-cache' }))
+  const requests = files.map((file) => new Request(file, { cache: 'no-cache' }))
   event.waitUntil(caches.open(CACHE).then((cache) => cache.addAll(requests)))
 })
 

@@ -116,6 +116,10 @@ void App::run(const Commands& commands) {
   stayAwake(kAwakeSeconds);
 }
 
+std::optional<Vec2> App::shownAt(const Vec3& place) const {
+  return viewOf(state_.camera.current, shown_.viewport).project(place);
+}
+
 void App::stayAwake(double seconds) {
   awakeUntil_ = std::max(awakeUntil_, state_.nowSeconds + seconds);
 }

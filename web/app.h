@@ -54,6 +54,8 @@ class App {
   bool frame(const FrameRequest& request);
 
   const AppState& state() const { return state_; }
+  /// Where a place of the room is on screen, in points; empty behind the eye.
+  std::optional<Vec2> shownAt(const Vec3& place) const;
 
  private:
   explicit App(AppHost host);

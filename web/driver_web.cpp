@@ -3,6 +3,7 @@
 /// the page, and knows neither touch nor device pixels. The scripts pass pointer and key events in instead.
 #include <emscripten.h>
 #include <emscripten/html5.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -159,6 +160,12 @@ EMSCRIPTEN_KEEPALIVE const char* sgLink() {
 EMSCRIPTEN_KEEPALIVE const char* sgSceneJson() {
   return answer(writeSceneJson(page().app->state().scene));
 }
+/// Where a floor point appears, as JSON {x, y} in points of the canvas; null behind the eye.
+EMSCRIPTEN_KEEPALIVE const char* sgPointOf(double x, double z) {
+  const std::optional<Vec2> at = page().app->shownAt(Vec3(x, 0.0, z));
+  return answer(at ? fmt::format("{{\"x\":{},\"y\":{}}}", at->x(), at->y()) : "null");
+}
+
 EMSCRIPTEN_KEEPALIVE const char* sgState() {
   return answer(toJson(page().app->state()));
 }

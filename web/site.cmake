@@ -1,15 +1,15 @@
 # The page, complete for any static host: the files of public/, the app, the JavaScript module and the default
 # library. The library is made by the native program, hence a path from outside.
-set(STRIDEGRAPH_DEFAULT_LIBRARY ${PROJECT_SOURCE_DIR}/build/default.sgraph
+set(STRIDEGRAPH_DEFAULT_LIBRARY ${PROJECT_SOURCE_DIR}/build/library/default.sgraph
     CACHE FILEPATH "The .sgraph file that the page opens with")
 find_file(STRIDEGRAPH_FONT Inter-Medium.otf PATHS /usr/share/fonts/opentype/inter /usr/share/fonts
           PATH_SUFFIXES opentype/inter NO_CMAKE_FIND_ROOT_PATH)
 
 set(site_parts stridegraph_app)
-if(TARGET stridegraph_module)
-  list(APPEND site_parts stridegraph_module)
+if(TARGET stridegraph_javascript)
+  list(APPEND site_parts stridegraph_javascript)
 endif()
-add_custom_target(site
+add_custom_target(site ALL
   COMMAND ${CMAKE_COMMAND}
     -DPUBLIC=${PROJECT_SOURCE_DIR}/public
     -DSITE=${STRIDEGRAPH_SITE_DIR}
@@ -18,6 +18,6 @@ add_custom_target(site
     -DFONT=${STRIDEGRAPH_FONT}
     -DLIBRARY=${STRIDEGRAPH_DEFAULT_LIBRARY}
     -P ${CMAKE_CURRENT_SOURCE_DIR}/assemble_site.cmake
-  DEPENDS ${site_parts}
   COMMENT "Assembling the page in ${STRIDEGRAPH_SITE_DIR}"
   VERBATIM)
+add_dependencies(site ${site_parts})

@@ -61,6 +61,7 @@ std::string toJson(const AppState& state) {
       {"tool", nameOf(state.tool)},
       {"planner", std::string(plannerName(state.settings.planner))},
       {"search", std::string(searchName(state.settings.search))},
+      {"notice", state.nowSeconds < state.notice.untilSeconds ? state.notice.text : ""},
       {"undo_steps", state.history.past.size()},
       {"redo_steps", state.history.future.size()},
       {"scene", nlohmann::json::parse(writeSceneJson(state.shownScene()), nullptr, false)},

@@ -1,0 +1,137 @@
+// Opens the built page in real Chromium, and drives it as a person does: pointer, keys and menus.
+import { existsSync, mkdirSync } from 'node:fs'
+import { fileURLToPath } from 'node:url'
+import { chromium } from 'playwright-core'
+import { serve } from '../../tools/serve.mjs'
+
+const root = new URL('../../', import.meta.url)
+const site = fileURLToPath(new URL('build/site/', root))
+const screenshots = fileURLToPath(new URL('build/screenshots/', root))
+
+// WebGL 2 by software, and nothing that calls out.
+const flags = [
+  '--no-sandbox',
+  '--use-angle=swiftshader',
+  '--enable-unsafe-swiftshader',
+  '--ignore-gpu-blocklist',
+  '--disable-quic',
+  '--no-first-run',
+  '--disable-background-networking',
+  '--disable-component-update',
+  '--disable-sync',
+]
+const patience = 60_000
+const interval = 50
+
+export async function startBrowser() {
+  if (!existsSync(`${site}index.html`)) throw new Error('build/site is missing: ./run build makes it')
+  mkdirSync(screenshots, { recursive: true })
+  const server = await serve(site, 0)
+  const browser = await chromium.launch({
+    executablePath: process.env.STRIDEGRAPH_CHROMIUM ?? '/usr/bin/chromium',
+    headless: true,
+    args: flags,
+  })
+  const stop = async () => {
+    await browser.close()
+    await server.close()
+  }
+  return { address: server.address, browser, stop }
+}
+
+/** A visit to the page. Collects whatever is logged as an error. */
+export class Visit {
+  static async start({ browser, address }, { fragment = '', prepare, ...options } = {}) {
+    const context = await browser.newContext({
+      viewport: { width: 1280, height: 800 },
+      reducedMotion: 'reduce',
+      serviceWorkers: 'block',
+      permissions: ['clipboard-read', 'clipboard-write'],
+      ...options,
+    })
+    const visit = new Visit(context, await context.newPage())
+    await prepare?.(visit.page)
+    await visit.page.goto(address + fragment)
+    return visit
+  }
+
+  constructor(context, page) {
+    this.context = context
+    this.page = page
+    this.canvas = page.locator('#view')
+    this.errors = []
+    page.on('console', (message) => {
+      if (message.type() === 'error') this.errors.push(message.text())
+    })
+    page.on('pageerror', (problem) => this.errors.push(problem.message))
+  }
+
+  end() {
+    return this.context.close()
+  }
+
+  state() {
+    return this.page.evaluate(() => globalThis.stridegraphApp.state())
+  }
+
+  /** Waits until the app's state satisfies a predicate; returns the state. */
+  async until(predicate) {
+    const isReady = () => globalThis.stridegraphApp !== undefined
+    await this.page.waitForFunction(isReady, null, { timeout: patience })
+    for (let left = patience / interval; left > 0; --left) {
+      const state = await this.state()
+      if (predicate(state)) return state
+      await this.page.waitForTimeout(interval)
+    }
+    throw new Error(`waited in vain for ${predicate}; the state is ${JSON.stringify(await this.state())}`)
+  }
+
+  /** Waits until a walk is planned for what is on screen. */
+  untilPlanned() {
+    return this.until((state) => state.plan !== null && !state.planning)
+  }
+
+  async openSample(file) {
+    const before = await this.untilPlanned()
+    await this.page.selectOption('#samples', file)
+    await this.until((state) => state.plans > before.plans && !state.planning)
+    return this.untilSettled()
+  }
+
+  /** Waits until the camera rests, so that places on screen stay where they are. */
+  async untilSettled() {
+    let last = ''
+    for (;;) {
+      const state = await this.state()
+      const now = JSON.stringify(await this.pointOf(0, 0))
+      if (now === last) return state
+      last = now
+      await this.page.waitForTimeout(4 * interval)
+    }
+  }
+
+  async press(key) {
+    await this.canvas.press(key)
+  }
+
+  /** Where a floor point is on the canvas, CSS pixels. */
+  pointOf(x, z) {
+    return this.page.evaluate(([atX, atZ]) => globalThis.stridegraphApp.pointOf(atX, atZ), [x, z])
+  }
+
+  /** Drags with the left button from one floor point to another. */
+  async dragFloor(from, to) {
+    const box = await this.canvas.boundingBox()
+    const a = await this.pointOf(...from)
+    const b = await this.pointOf(...to)
+    await this.page.mouse.move(box.x + a.x, box.y + a.y)
+    await this.page.mouse.down()
+    await this.page.mouse.move(box.x + (a.x + b.x) / 2, box.y + (a.y + b.y) / 2, { steps: 4 })
+    await this.page.mouse.move(box.x + b.x, box.y + b.y, { steps: 4 })
+    await this.page.mouse.up()
+  }
+
+  async screenshot(name) {
+    await this.page.screenshot({ path: `${screenshots}${name}.png` })
+  }
+}
