@@ -9,6 +9,10 @@ if(STRIDEGRAPH_SANITIZE)
   target_link_options(stridegraph_settings INTERFACE -fsanitize=address,undefined)
 endif()
 
+if(STRIDEGRAPH_FUZZ)
+  target_compile_options(stridegraph_settings INTERFACE -fsanitize=fuzzer-no-link)
+endif()
+
 if(EMSCRIPTEN)
   target_compile_options(stridegraph_settings INTERFACE -msimd128)
   # Debian's Emscripten takes acorn from Debian's Node.js modules, which a newer Node.js does not search.
