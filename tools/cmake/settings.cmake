@@ -12,6 +12,7 @@ if(STRIDEGRAPH_FUZZ)
   target_compile_options(stridegraph_settings INTERFACE -fsanitize=fuzzer-no-link)
 endif()
 
+
 if(EMSCRIPTEN)
   target_compile_options(stridegraph_settings INTERFACE -msimd128)
   # Debian's Emscripten takes acorn from Debian's Node.js modules, which a newer Node.js does not search.
