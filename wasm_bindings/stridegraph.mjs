@@ -265,7 +265,8 @@ class Stridegraph {
     try {
       for (let more = true; more;) {
         const end = performance.now() + sliceMs
-        while (more && performance.now() < end) more = build.step()
+        do more = build.step()
+        while (more && performance.now() < end)
         onProgress?.(build.progress)
         await pause()
         signal?.throwIfAborted()

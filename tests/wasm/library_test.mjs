@@ -146,7 +146,7 @@ describe('buildLibraryAsync', () => {
     const library = await engine.buildLibraryAsync(
       [walkerClip()],
       {},
-      { onProgress: (p) => seen.push(p), sliceMs: 1 },
+      { onProgress: (p) => seen.push(p), sliceMs: 0 },
     )
     clearInterval(timer)
     assert.ok(seen.length > 1 && turns > 0)

@@ -76,6 +76,10 @@ testSanitizers() {
 
 testModule() {
   note "module tests"
+  local maps=${STRIDEGRAPH_MOCAP:-}/../maps
+  if [ -z "${STRIDEGRAPH_MAPS:-}" ] && [ -n "${STRIDEGRAPH_MOCAP:-}" ] && [ -d "$maps" ]; then
+    export STRIDEGRAPH_MAPS=$maps
+  fi
   runNodeTests module tests/wasm
 }
 
@@ -120,7 +124,7 @@ testCaptures() {
 # runTests [SUITE...]: without names everything but the sanitizers. The last line is for machines.
 runTests() {
   local suites=("$@") suite
-  [ "${#suites[@]}" -gt 0 ] || suites=(lint native module browser captures)
+  [ "${#suites[@]}" -gt 0 ] || suites=(lint native captures module browser)
   setupTests
   [ "${suites[*]}" = lint ] || buildAll
   for suite in "${suites[@]}"; do

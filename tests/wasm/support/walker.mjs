@@ -21,18 +21,18 @@ ROOT Hips { OFFSET 0 0 0 CHANNELS 6 Xposition Yposition Zposition Zrotation Xrot
 const broken = (text) => text.replace(/\s*([{}])\s*/g, '\n$1\n').replace(/ CHANNELS/g, '\nCHANNELS')
 
 /**
- * Frames at 30 Hz, one stride in 30 frames. With `armTurn`, degrees, the right arm turns by as much from the first
- * frame to the last, so that no moment comes back.
+ * Frames at 30 Hz, one stride in 30 frames. With `lean`, degrees, the body leans over by as much from the first frame to
+ * the last, so that no moment comes back.
  */
-export function walkerBvh({ frames = 90, armTurn = 0, armLength = 50, firstRow } = {}) {
+export function walkerBvh({ frames = 90, lean = 0, armLength = 50, firstRow } = {}) {
   const rows = []
   for (let frame = 0; frame < frames; ++frame) {
     const phase = (frame * 2 * Math.PI) / 30
     const swing = 0.4 * Math.sin(phase) * degrees
     const kneeOf = (shift) => 20 + 20 * Math.cos(phase + shift)
-    const arm = frames > 1 ? (armTurn * frame) / (frames - 1) : 0
+    const leaning = frames > 1 ? (lean * frame) / (frames - 1) : 0
     const values = [0, 90 + 1.5 * Math.cos(2 * phase), frame * 4, 0, 0, 0]
-    values.push(0, 0, 0, arm, 0, 0, 0, 0, 0)
+    values.push(leaning, 0, 0, 0, 0, 0, 0, 0, 0)
     values.push(0, swing, 0, 0, kneeOf(0), 0, 0, 0, 0)
     values.push(0, -swing, 0, 0, kneeOf(Math.PI), 0, 0, 0, 0)
     rows.push(values.map((value) => value.toFixed(4)).join(' '))
