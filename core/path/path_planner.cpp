@@ -1,6 +1,7 @@
 #include "path/path_planner.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "path/connectivity.h"
 #include "path/polyline.h"
@@ -15,7 +16,10 @@ namespace {
 
 std::vector<Vec2> refined(const FloorPlan& plan, const std::vector<Vec2>& path, std::size_t rounds,
                           Random& random) {
-  return rounds == 0 ? path : shortcut(plan, path, std::min<std::size_t>(rounds, 10'000), random);
+  if (rounds == 0) return path;
+  const double pieces = std::ceil(polylineLength(path) / 50.0);
+  return shortcut(plan, path, static_cast<std::size_t>(pieces) * std::min<std::size_t>(rounds, 10'000),
+                  random);
 }
 
 }  // namespace

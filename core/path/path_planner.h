@@ -33,19 +33,21 @@ struct PathResult {
 
 /// What may be asked of the planners. Values out of range are clamped.
 struct PathParams {
-  /// Nodes of the first roadmap, 10..100,000; 0 chooses one per 4 m2, 200 to 4,000 (the thesis draws 200 in
+  /// Nodes of the first roadmap, 10..100,000; 0 chooses one per 4 m2, 200 to 10,000 (the thesis draws 200 in
   /// rooms of some 30 m).
   std::size_t roadmapNodes = 0;
   /// Neighbours each node is connected with, 1..100 (Kavraki et al. 1996 use 30 in many dimensions; on a
   /// floor 10 leave no gaps worth another node).
   std::size_t neighbours = 10;
-  /// How often the roadmap doubles when it misses a way that is known to exist, 0..8.
-  int doublings = 3;
-  /// Longest step of the trees, metres, 0.05..100 (Kuffner and LaValle 2000 leave it to the problem).
-  double stepMetres = 1.0;
+  /// How often the roadmap grows when it misses a way that is known to exist, 0..20.
+  int growths = 5;
+  /// Longest step of the trees, metres, 0.05..100; 0 chooses 1 m, a thirtieth of the room where that is more
+  /// (Kuffner and LaValle 2000 leave it to the problem).
+  double stepMetres = 0.0;
   /// Samples before the trees give up, 1..1,000,000.
   std::size_t treeSamples = 20'000;
-  /// Rounds of cutting corners off the path found, 0..10,000; 0 leaves it as the planner made it.
+  /// Rounds of cutting corners off the path found for every 50 m of it, 0..10,000; 0 leaves it as the planner
+  /// made it.
   std::size_t shortcutRounds = 200;
 };
 

@@ -7,7 +7,8 @@ namespace stridegraph {
 
 /// Plans by a probabilistic roadmap (section 4.1.1; Kavraki et al. 1996): seeded nodes in free places, edges
 /// to the nearest ones in sight, start and goal joined to the nearest nodes that they see, Dijkstra. When the
-/// roadmap misses the way it doubles, params.doublings times. Both ends must be free.
+/// roadmap misses the way it doubles, params.doublings times, half of the new nodes near the smaller of the
+/// parts that hold start and goal. Both ends must be free.
 SampledPath planByRoadmap(const FloorPlan& plan, const Vec2& start, const Vec2& goal, Random& random,
                           const PathParams& params);
 

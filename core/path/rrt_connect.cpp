@@ -1,6 +1,7 @@
 #include "path/rrt_connect.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 
@@ -20,6 +21,7 @@ class Tree {
     parents_.push_back(0);
   }
 
+  const std::vector<Vec2>& nodes() const { return nodes_.points(); }
   const Vec2& newest() const { return nodes_.points().back(); }
 
   /// One step from the nearest node towards the target.
@@ -71,6 +73,29 @@ class Tree {
   std::vector<std::uint32_t> parents_;
 };
 
+/// A free place for the tree to grow to: by turns anywhere in the room and near one of its nodes. In a large
+/// room full of obstacles the first kind alone keeps asking the same few nodes at the tree's rim, which stand
+/// before an obstacle and cannot move.
+std::optional<Vec2> sampleFor(const FloorPlan& plan, const Tree& tree, double stepMetres, bool nearby,
+                              Random& random) {
+  if (!nearby) return sampleFree(plan, random);
+  constexpr double kReachSteps = 5.0;
+  constexpr int kTries = 20;
+  const Vec2 node = tree.nodes()[random.below(tree.nodes().size())];
+  for (int i = 0; i < kTries; ++i) {
+    const double x = node.x() + random.uniform(-kReachSteps, kReachSteps) * stepMetres;
+    const Vec2 point(x, node.y() + random.uniform(-kReachSteps, kReachSteps) * stepMetres);
+    if (plan.isFree(point)) return point;
+  }
+  return sampleFree(plan, random);
+}
+
+double stepFor(const FloorPlan& plan, double asked) {
+  constexpr double kStepsAcrossRoom = 30.0;
+  if (asked > 0.0) return std::clamp(asked, 0.05, 100.0);
+  return std::max(1.0, std::sqrt(plan.widthMetres() * plan.depthMetres()) / kStepsAcrossRoom);
+}
+
 std::vector<Vec2> joined(const Tree& fromStart, const Tree& fromGoal) {
   std::vector<Vec2> path = fromStart.branch();
   std::reverse(path.begin(), path.end());
@@ -83,7 +108,7 @@ std::vector<Vec2> joined(const Tree& fromStart, const Tree& fromGoal) {
 
 SampledPath planByTrees(const FloorPlan& plan, const Vec2& start, const Vec2& goal, Random& random,
                         const PathParams& params) {
-  const double step = std::clamp(params.stepMetres, 0.05, 100.0);
+  const double step = stepFor(plan, params.stepMetres);
   Tree fromStart(plan, start, step);
   Tree fromGoal(plan, goal, step);
   Tree* growing = &fromStart;
@@ -92,7 +117,8 @@ SampledPath planByTrees(const FloorPlan& plan, const Vec2& start, const Vec2& go
   const std::size_t samples = std::clamp<std::size_t>(params.treeSamples, 1, 1'000'000);
   if (fromStart.connect(goal) == Growth::kReached) result.path = joined(fromStart, fromGoal);
   for (std::size_t i = 0; i < samples && result.path.empty(); ++i) {
-    const std::optional<Vec2> sample = sampleFree(plan, random);
+    // Each tree grows at every second sample, so that bit 1 gives both kinds of samples to both.
+    const std::optional<Vec2> sample = sampleFor(plan, *growing, step, (i & 2U) != 0, random);
     if (!sample) break;
     if (growing->extend(*sample) != Growth::kTrapped &&
         other->connect(growing->newest()) == Growth::kReached) {

@@ -8,6 +8,9 @@ namespace stridegraph {
 
 namespace {
 
+/// Places further apart along the path hardly ever see each other.
+constexpr double kLongestCutMetres = 30.0;
+
 /// A place on a path: on the segment that ends at point `next`.
 struct PathPlace {
   std::size_t next = 0;
@@ -43,7 +46,8 @@ std::vector<Vec2> shortcut(const FloorPlan& plan, std::span<const Vec2> path, st
   for (std::size_t round = 0; round < rounds && points.size() > 2; ++round) {
     const double length = polylineLength(points);
     const double first = random.uniform(0.0, length);
-    const double second = random.uniform(0.0, length);
+    const double second =
+        std::clamp(first + random.uniform(-kLongestCutMetres, kLongestCutMetres), 0.0, length);
     const PathPlace from = placeAt(points, std::min(first, second));
     const PathPlace to = placeAt(points, std::max(first, second));
     if (from.next == to.next || !plan.isFree(from.point, to.point)) continue;

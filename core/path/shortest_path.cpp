@@ -136,13 +136,15 @@ class TangentSearch {
     const auto consider = [&](const TangentCircle& target, BendIndex to) {
       const std::optional<Tangent> tangent = tangentBetween(circle, target);
       if (!tangent) return;
-      const std::optional<double> leave =
-          corner == nullptr ? 0.0 : angleAlongQuarter(*corner, circle.turn, tangent->from);
-      if (!leave) return;
-      const std::optional<double> arrive =
-          to == goalBend() ? 0.0 : angleAlongQuarter(corners_[to / 2], target.turn, tangent->to);
-      if (!arrive || !plan_.isFree(tangent->from, tangent->to)) return;
-      found.push_back({*leave, (tangent->to - tangent->from).norm(), *arrive, tangent->to, to});
+      const Vec2 leaving = touchingNormal(*tangent, circle.turn);
+      const Vec2 arriving = touchingNormal(*tangent, target.turn);
+      if (corner != nullptr && !liesOnQuarter(*corner, leaving)) return;
+      if (to != goalBend() && !liesOnQuarter(corners_[to / 2], arriving)) return;
+      if (!plan_.isFree(tangent->from, tangent->to)) return;
+      const double leave = corner == nullptr ? 0.0 : angleAlongQuarter(*corner, circle.turn, leaving);
+      const double arrive =
+          to == goalBend() ? 0.0 : angleAlongQuarter(corners_[to / 2], target.turn, arriving);
+      found.push_back({leave, (tangent->to - tangent->from).norm(), arrive, tangent->to, to});
     };
     for (BendIndex bend = 0; bend < goalBend(); ++bend) consider(circleOf(bend), bend);
     consider({goal_, 0.0, Turn::kClockwise}, goalBend());

@@ -11,7 +11,7 @@ namespace {
 
 /// Rounding allowed when a tangent just touches a quarter's end or a circle's rim.
 constexpr double kAngleSlackRadians = 1e-9;
-constexpr double kLengthSlackMetres = 1e-9;
+constexpr double kAreaSlack = 1e-9;
 constexpr double kMostOutsideMetres = 1e-3;
 constexpr int kMostHalvings = 24;
 
@@ -58,23 +58,19 @@ std::optional<Tangent> tangentBetween(const TangentCircle& from, const TangentCi
   const Vec2 apart = to.centre - from.centre;
   const double squaredDistance = apart.squaredNorm();
   const double side = from.radiusMetres * sign(from.turn) - to.radiusMetres * sign(to.turn);
-  if (squaredDistance == 0.0 || std::abs(side) > std::sqrt(squaredDistance) + kLengthSlackMetres) {
-    return std::nullopt;
-  }
+  const double squaredSide = side * side;
+  if (squaredDistance == 0.0 || squaredSide > squaredDistance + kAreaSlack) return std::nullopt;
   // apart = length * along + side * rightOf(along), solved for the unit vector along.
-  const double length = std::sqrt(std::max(squaredDistance - side * side, 0.0));
-  const Vec2 along = ((length * apart - side * rightOf(apart)) / squaredDistance).normalized();
-  return Tangent{from.centre + from.radiusMetres * sign(from.turn) * rightOf(along),
-                 to.centre + to.radiusMetres * sign(to.turn) * rightOf(along)};
+  const double length = std::sqrt(std::max(squaredDistance - squaredSide, 0.0));
+  const Vec2 along = (length * apart - side * rightOf(apart)) / squaredDistance;
+  const Vec2 right = rightOf(along);
+  return Tangent{from.centre + from.radiusMetres * sign(from.turn) * right,
+                 to.centre + to.radiusMetres * sign(to.turn) * right, right};
 }
 
-std::optional<double> angleAlongQuarter(const Corner& corner, Turn turn, const Vec2& point) {
+double angleAlongQuarter(const Corner& corner, Turn turn, const Vec2& normal) {
   const auto [first, last] = quarterEnds(corner, turn);
-  const Vec2 normal = (point - corner.centre).normalized();
-  const double alongFirst = normal.dot(first);
-  const double alongLast = normal.dot(last);
-  if (alongFirst < -kAngleSlackRadians || alongLast < -kAngleSlackRadians) return std::nullopt;
-  return std::clamp(std::atan2(alongLast, alongFirst), 0.0, 0.5 * std::numbers::pi);
+  return std::clamp(std::atan2(normal.dot(last), normal.dot(first)), 0.0, 0.5 * std::numbers::pi);
 }
 
 Vec2 pointOnArc(const Arc& arc, double radians, double factor) {

@@ -28,14 +28,26 @@ struct TangentCircle {
 struct Tangent {
   Vec2 from = Vec2::Zero();
   Vec2 to = Vec2::Zero();
+  Vec2 right = Vec2::Zero();  ///< Unit vector to the right of its direction.
 };
 
 /// Nothing when one circle lies too deep in the other.
 std::optional<Tangent> tangentBetween(const TangentCircle& from, const TangentCircle& to);
 
-/// How far a point on a corner's circle lies along its quarter, radians from where a path with this turn
-/// enters it: 0 to pi/2. Nothing when the point is not on the quarter.
-std::optional<double> angleAlongQuarter(const Corner& corner, Turn turn, const Vec2& point);
+/// The normal, away from the circle's centre, at which a tangent touches a circle with this turn.
+inline Vec2 touchingNormal(const Tangent& tangent, Turn turn) {
+  return turn == Turn::kCounterclockwise ? tangent.right : Vec2(-tangent.right);
+}
+
+/// Whether a normal lies in a corner's quarter, ends included.
+inline bool liesOnQuarter(const Corner& corner, const Vec2& normal) {
+  constexpr double kSlack = 1e-9;
+  return normal.x() * corner.outward.x() >= -kSlack && normal.y() * corner.outward.y() >= -kSlack;
+}
+
+/// How far a normal of the quarter lies from the end at which a path with this turn enters it: 0 to pi/2
+/// radians.
+double angleAlongQuarter(const Corner& corner, Turn turn, const Vec2& normal);
 
 /// A piece of a corner's quarter.
 struct Arc {

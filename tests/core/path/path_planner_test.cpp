@@ -111,7 +111,7 @@ TEST_P(PlannerContract, fallsBackToTheExactPathWhenSamplesMissTheGap) {
   scene.goal.position = {9.0, 1.5};
   PathParams params;
   params.roadmapNodes = 50;
-  params.doublings = 1;
+  params.growths = 1;
   params.treeSamples = 50;
   const PathResult result = plan(scene, 1, params);
   expectSound(scene, result);
@@ -142,11 +142,11 @@ TEST(PathPlanner, namesPlannersAndStatuses) {
   EXPECT_EQ(pathStatusName(PathStatus::kNoPath), "no_path");
 }
 
-TEST(PathPlanner, doublesTheRoadmapUntilItFindsANarrowWay) {
+TEST(PathPlanner, growsTheRoadmapUntilItFindsANarrowWay) {
   Scene scene = roomWithGap(2.0 * kRadius + 0.3);
   PathParams params;
   params.roadmapNodes = 10;
-  params.doublings = 8;
+  params.growths = 20;
   scene.start.position = {3.0, 1.5};
   scene.goal.position = {9.0, 1.5};
   const FloorPlan plan(scene, kRadius);
