@@ -14,8 +14,8 @@ double Random::uniform() {
   return static_cast<double>(bits() >> 11) * 0x1.0p-53;
 }
 
-std::uint64_t Random::below(std::uint64_t count) {
-  return bits() % count;
+std::size_t Random::below(std::size_t count) {
+  return static_cast<std::size_t>(bits() % count);
 }
 
 }  // namespace stridegraph

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 namespace stridegraph {
@@ -17,7 +18,7 @@ class Random {
   /// Uniform in [low, high).
   double uniform(double low, double high) { return low + (high - low) * uniform(); }
   /// Uniform in 0..count-1; count >= 1. Biased by less than count / 2^64.
-  std::uint64_t below(std::uint64_t count);
+  std::size_t below(std::size_t count);
 
  private:
   std::uint64_t state_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -106,7 +107,8 @@ struct AppState {
   Tool tool = Tool::kSelect;
   std::optional<Drag> drag;
 
-  std::optional<MotionLibrary> library;
+  std::shared_ptr<const MotionLibrary> library;  ///< Null until one is open.
+  std::unique_ptr<const WalkPlanner> planner;    ///< Of that library.
   PlanSettings settings;
   Replanning replanning;
   std::optional<Plan> plan;

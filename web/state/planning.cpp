@@ -12,7 +12,7 @@ constexpr double kPauseSeconds = 0.12;
 constexpr double kLongestSearchMilliseconds = 2000.0;
 
 bool isDue(const AppState& state) {
-  if (!state.replanning.wanted || !state.library) return false;
+  if (!state.replanning.wanted || !state.planner) return false;
   if (!state.drag) return true;
   const Replanning& when = state.replanning;
   if (state.nowSeconds - when.changedAtSeconds >= kPauseSeconds) return true;
@@ -36,7 +36,7 @@ bool planWhenDue(AppState& state, const MillisecondClock& clock) {
   options.budgetMilliseconds = kLongestSearchMilliseconds;
   options.clock = clock;
   const double before = clock();
-  Result<Plan> plan = planWalk(*state.library, state.shownScene(), options);
+  Result<Plan> plan = state.planner->plan(state.shownScene(), options);
   state.replanning.lastMilliseconds = clock() - before;
   state.replanning.plannedAtSeconds = state.nowSeconds;
   state.replanning.wanted = false;
