@@ -84,19 +84,16 @@ MeshData bevelledCubeMesh() {
 }
 
 MeshData roundConeMesh() {
-  constexpr int kAround = 28;
-  constexpr int kUp = 8;  // Rings of each half, pole and equator included.
+  constexpr int kAround = 22;
+  constexpr int kUp = 6;  // Rings of each half, pole and seam included.
   MeshData mesh;
   for (int ring = 0; ring < 2 * kUp; ++ring) {
     const bool upper = ring >= kUp;
-    const float share = static_cast<float>(upper ? ring - kUp : ring - (kUp - 1)) / (kUp - 1);
-    const float latitude = share * std::numbers::pi_v<float> / 2.0F;
+    const int fromSeam = upper ? ring - kUp : kUp - 1 - ring;
+    const float share = static_cast<float>(fromSeam) / (kUp - 1);
     for (int i = 0; i < kAround; ++i) {
       const float turn = static_cast<float>(i) / kAround * 2.0F * std::numbers::pi_v<float>;
-      // A hair's breadth of radius at the poles keeps the direction around the bone known.
-      const float flat = std::max(std::cos(latitude), 1e-4F);
-      mesh.vertices.insert(mesh.vertices.end(), {flat * std::cos(turn), std::sin(latitude),
-                                                 flat * std::sin(turn), upper ? 1.0F : 0.0F});
+      mesh.vertices.insert(mesh.vertices.end(), {std::cos(turn), std::sin(turn), share, upper ? 1.0F : 0.0F});
     }
   }
   for (int ring = 0; ring + 1 < 2 * kUp; ++ring) {

@@ -13,7 +13,8 @@ struct MeshData {
 MeshData quadMesh();
 /// A cube with bevelled edges: which corner (+-1 each), normal. The shader moves faces out along normals.
 MeshData bevelledCubeMesh();
-/// Two half spheres and what joins them: unit direction, and the end (0 or 1) that a vertex belongs to.
+/// Two half spheres and what joins them: direction around the bone (two numbers), share of the way from the
+/// seam to the pole, and the end (0 or 1) that a vertex belongs to.
 MeshData roundConeMesh();
 
 }  // namespace stridegraph

@@ -146,9 +146,10 @@ void SceneRenderer::draw(const Picture& picture) {
   const Colour& back = paletteFor(picture.state.view.dark).horizon;
   glClearColor(back.red, back.green, back.blue, 1.0F);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  drawBackground(picture);
   glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LEQUAL);
   drawFloor(picture);
+  drawBackground(picture);
   // Nothing but the floor is there yet: its marks need no depth test, and so never flicker against it.
   glDisable(GL_DEPTH_TEST);
   glEnable(GL_BLEND);

@@ -39,11 +39,6 @@ Eigen::Matrix4d perspective(double fieldOfView, double aspect, double near, doub
   return m;
 }
 
-/// Half the height of the whole view, so that so much to each side of the target lies in its free part.
-double halfHeightToShow(double across, double along, const Viewport& viewport) {
-  return viewport.height * std::max(across / viewport.freeWidth(), along / viewport.freeHeight());
-}
-
 double towards(double from, double to, double share) {
   return from + (to - from) * share;
 }
@@ -110,16 +105,44 @@ CameraView viewOf(const CameraPose& pose, const Viewport& viewport) {
   return view;
 }
 
+namespace {
+
+/// Moves and zooms a pose until the room, with something standing in it, just fills what panels leave free.
+void fitRoom(CameraPose& pose, const Vec2& room, const Viewport& viewport) {
+  constexpr double kStandingMetres = 1.0, kMargin = 1.05;
+  constexpr int kRounds = 8;  // Perspective makes each round inexact; the error shrinks to nothing in a few.
+  pose.halfHeightMetres = room.norm();
+  for (int round = 0; round < kRounds; ++round) {
+    const CameraView view = viewOf(pose, viewport);
+    Vec2 low = Vec2::Constant(1e9), high = Vec2::Constant(-1e9);
+    for (int corner = 0; corner < 8; ++corner) {
+      const Vec3 at((corner & 1) * room.x(), (corner >> 2) * kStandingMetres, (corner >> 1 & 1) * room.y());
+      const std::optional<Vec2> shown = view.project(at);
+      if (!shown) continue;
+      low = low.cwiseMin(*shown);
+      high = high.cwiseMax(*shown);
+    }
+    const Vec2 middle(viewport.left + viewport.freeWidth() / 2, viewport.top + viewport.freeHeight() / 2);
+    const Vec2 off = (low + high) / 2 - middle;
+    const double metresPerPoint = 2.0 * pose.halfHeightMetres / viewport.height;
+    const Vec2 right(std::cos(pose.yawRadians), std::sin(pose.yawRadians));
+    const Vec2 ahead(std::sin(pose.yawRadians), -std::cos(pose.yawRadians));
+    pose.target += metresPerPoint * (off.x() * right - off.y() / std::sin(pose.pitchRadians) * ahead);
+    const Vec2 span = high - low;
+    pose.halfHeightMetres *=
+        kMargin * std::max(span.x() / viewport.freeWidth(), span.y() / viewport.freeHeight());
+  }
+}
+
+}  // namespace
+
 CameraPose poseOverRoom(double widthMetres, double depthMetres, const Viewport& viewport) {
   CameraPose pose;
   pose.target = Vec2(widthMetres / 2.0, depthMetres / 2.0);
   pose.yawRadians = 0.35;
   pose.pitchRadians = 0.82;
   pose.fieldOfViewRadians = kPerspectiveRadians;
-  // What a room turned by the yaw above spans on screen, nearer edge included, in shares of its sides.
-  const double across = 0.55 * widthMetres + 0.22 * depthMetres;
-  const double along = 0.44 * depthMetres + 0.17 * widthMetres;
-  pose.halfHeightMetres = halfHeightToShow(across, along, viewport) + 0.5;
+  fitRoom(pose, Vec2(widthMetres, depthMetres), viewport);
   return pose;
 }
 
@@ -129,7 +152,7 @@ CameraPose poseAboveRoom(double widthMetres, double depthMetres, const Viewport&
   pose.yawRadians = 0.0;
   pose.pitchRadians = kHighestPitch;
   pose.fieldOfViewRadians = kPlanRadians;
-  pose.halfHeightMetres = halfHeightToShow(0.5 * widthMetres + 0.6, 0.5 * depthMetres + 0.6, viewport);
+  fitRoom(pose, Vec2(widthMetres, depthMetres), viewport);
   return pose;
 }
 

@@ -85,9 +85,10 @@ std::deque<InputEvent> InputQueue::take(InputState& state) {
   while (!events_.empty()) {
     const InputEvent& next = events_.front();
     const bool presses = next.kind == InputKind::kPress || next.kind == InputKind::kRelease;
-    // A frame sees at most one press or release, no move that comes after it, and no key both down and up.
+    // A frame sees at most one press or release and no move that comes after it. A text field, which looks at
+    // keys once a frame, must not miss one that goes down and up; shortcuts are told by events.
     if (pressed && (presses || next.kind == InputKind::kMove)) break;
-    if (changesSameKey(taken, next)) break;
+    if (ImGui::GetIO().WantTextInput && changesSameKey(taken, next)) break;
     pressed = pressed || presses;
     see(next, state);
     taken.push_back(next);
