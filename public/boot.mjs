@@ -49,6 +49,8 @@ async function start() {
   const missing = whatIsMissing()
   if (missing) return giveUp(missing)
   const progress = new Progress((share, megabytes) => {
+    // What failed stays on screen while other downloads still arrive.
+    if (loading.classList.contains('failed')) return
     loadingBar.value = share
     loadingText.textContent = `Loading… ${megabytes} MB`
   })

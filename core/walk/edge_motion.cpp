@@ -22,7 +22,8 @@ std::vector<FloorTransform> placementsOn(const MotionLibrary& library, const Mot
     return placements;
   }
   const std::size_t from = library.graph.nodes[edge.from.value].value;
-  for (std::size_t p = 0; p <= edge.frames; ++p) placements.push_back(library.placementAt(FrameIndex(from + p)));
+  for (std::size_t p = 0; p <= edge.frames; ++p)
+    placements.push_back(library.placementAt(FrameIndex(from + p)));
   return placements;
 }
 
@@ -46,7 +47,8 @@ Clip edgePoses(const MotionLibrary& library, const MotionEdge& edge) {
   return poses;
 }
 
-FloorTransform placeEdge(const MotionLibrary& library, const MotionEdge& edge, const FloorTransform& placement) {
+FloorTransform placeEdge(const MotionLibrary& library, const MotionEdge& edge,
+                         const FloorTransform& placement) {
   return placement * library.placementAt(library.graph.nodes[edge.from.value]).inverse();
 }
 

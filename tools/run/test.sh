@@ -93,7 +93,8 @@ judgeMaps() {
   local name=$1 library=$2 status=0
   shift 2
   note "judging the walks of $name on every map"
-  python3 "$referee" --cli build/bin/stridegraph --graph "$library" --clips "$@" --units-per-metre 100 --seeds 3 \
+  # Debian's python3, which has the numpy that setup installs; another may come first on the PATH.
+  /usr/bin/python3 "$referee" --cli build/bin/stridegraph --graph "$library" --clips "$@" --units-per-metre 100 --seeds 3 \
     --json "build/captures/$name-maps.json" || status=$?
   recordOutcome "maps: $name" "$status"
 }
