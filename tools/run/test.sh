@@ -56,6 +56,14 @@ runNodeTests() {
   record "$1" "$good" "$bad" "$skipped"
 }
 
+# The maps that lie beside the captures, unless others are named.
+findMaps() {
+  local maps=${STRIDEGRAPH_MOCAP:-}/../maps
+  if [ -z "${STRIDEGRAPH_MAPS:-}" ] && [ -n "${STRIDEGRAPH_MOCAP:-}" ] && [ -d "$maps" ]; then
+    export STRIDEGRAPH_MAPS=$maps
+  fi
+}
+
 testLint() {
   local status=0
   lintSources || status=$?
@@ -76,10 +84,6 @@ testSanitizers() {
 
 testModule() {
   note "module tests"
-  local maps=${STRIDEGRAPH_MOCAP:-}/../maps
-  if [ -z "${STRIDEGRAPH_MAPS:-}" ] && [ -n "${STRIDEGRAPH_MOCAP:-}" ] && [ -d "$maps" ]; then
-    export STRIDEGRAPH_MAPS=$maps
-  fi
   runNodeTests module tests/wasm
 }
 
@@ -127,6 +131,7 @@ runTests() {
   local suites=("$@") suite
   [ "${#suites[@]}" -gt 0 ] || suites=(lint native captures module browser)
   setupTests
+  findMaps
   [ "${suites[*]}" = lint ] || buildAll
   for suite in "${suites[@]}"; do
     case "$suite" in
