@@ -12,6 +12,11 @@
 namespace stridegraph::tools {
 namespace {
 
+int cannotWrite(const Error& error) {
+  fmt::print(stderr, "stridegraph gait: {}\n", describe(error));
+  return kWrongUse;
+}
+
 int runGait(const std::string& folder) {
   std::error_code failed;
   std::filesystem::create_directories(folder, failed);
@@ -24,12 +29,11 @@ int runGait(const std::string& folder) {
   for (const Clip& clip : clips) {
     const auto written =
         writeFile(folder + "/" + clip.name + ".bvh", writeBvh(gaitSkeleton(), gaitBvhLayout(), clip));
-    if (!written) {
-      fmt::print(stderr, "stridegraph gait: {}\n", describe(written.error()));
-      return kWrongUse;
-    }
+    if (!written) return cannotWrite(written.error());
     frames += clip.frameCount();
   }
+  const auto written = writeFile(folder + "/ORIGIN.txt", std::string(kGaitClipsLicense) + "\n");
+  if (!written) return cannotWrite(written.error());
   fmt::print("{}: {} clips, {} frames\n", folder, clips.size(), frames);
   return kDone;
 }
@@ -37,7 +41,7 @@ int runGait(const std::string& folder) {
 }  // namespace
 
 void addGaitCommand(CLI::App& program, int& exitCode) {
-  CLI::App* command = program.add_subcommand("gait", "Write the synthesised default clips as BVH");
+  CLI::App* command = program.add_subcommand("gait", "Write the synthesised default clips as BVH, and where they come from");
   auto folder = std::make_shared<std::string>();
   command->add_option("-o,--output", *folder, "Folder to write to")->required();
   command->callback([folder, &exitCode] { exitCode = runGait(*folder); });
