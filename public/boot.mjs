@@ -9,7 +9,10 @@ const loadingText = document.getElementById('loading-text')
 const loadingBar = document.getElementById('loading-bar')
 const canvas = document.getElementById('view')
 
+let hasGivenUp = false
+
 function giveUp(sentence) {
+  hasGivenUp = true
   loading.classList.remove('done')
   loading.classList.add('failed')
   loading.setAttribute('role', 'alert')
@@ -49,6 +52,7 @@ async function start() {
   const missing = whatIsMissing()
   if (missing) return giveUp(missing)
   const progress = new Progress((share, megabytes) => {
+    if (hasGivenUp) return
     loadingBar.value = share
     loadingText.textContent = `Loading… ${megabytes} MB`
   })

@@ -1,6 +1,16 @@
 // The one place that calls into the app's WebAssembly. Texts and bytes are copied at this border.
 
-const CURSORS = ['default', 'pointer', 'move', 'crosshair', 'text', 'ew-resize', 'ns-resize', 'nesw-resize', 'nwse-resize']
+const CURSORS = [
+  'default',
+  'pointer',
+  'move',
+  'crosshair',
+  'text',
+  'ew-resize',
+  'ns-resize',
+  'nesw-resize',
+  'nwse-resize',
+]
 
 export class AppBridge {
   #canvas

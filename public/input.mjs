@@ -8,8 +8,29 @@ const LEAVE = 3
 
 /** Positions as in Key of web/ui/input.h. */
 const KEYS = [
-  'Tab', 'ArrowLeft', 'ArrowRight', 'ArrowUp', 'ArrowDown', 'Home', 'End', 'Insert', 'Delete', 'Backspace', ' ',
-  'Enter', 'Escape', 'a', 'b', 'c', 'g', 's', 'v', 'x', 'y', 'z', 'f',
+  'Tab',
+  'ArrowLeft',
+  'ArrowRight',
+  'ArrowUp',
+  'ArrowDown',
+  'Home',
+  'End',
+  'Insert',
+  'Delete',
+  'Backspace',
+  ' ',
+  'Enter',
+  'Escape',
+  'a',
+  'b',
+  'c',
+  'g',
+  's',
+  'v',
+  'x',
+  'y',
+  'z',
+  'f',
 ]
 /** With Control or Command held, these are the app's; everything else is the browser's. */
 const SHORTCUTS = new Set(['z', 'y', 'a', 'c', 'v', 'x'])

@@ -7,7 +7,8 @@ export async function buildLibrary(bridge, files) {
   const clips = await Promise.all(files.map(async (file) => ({ name: file.name, text: await file.text() })))
   const dialog = by('build-dialog')
   const worker = new Worker(new URL('library_worker.mjs', import.meta.url), { type: 'module' })
-  by('build-text').textContent = `${clips.length === 1 ? 'One clip' : `${clips.length} clips`} to compare and connect.`
+  by('build-text').textContent =
+    `${clips.length === 1 ? 'One clip' : `${clips.length} clips`} to compare and connect.`
   by('build-bar').value = 0
   dialog.showModal()
   try {

@@ -25,7 +25,12 @@ function download(bytes, name, type) {
 /** A file name made of the scene's name. */
 function fileName(bridge, extension) {
   const name = bridge.state().scene.name || 'scene'
-  return `${name.toLowerCase().replace(/[^a-z0-9]+/g, '_').replace(/^_+|_+$/g, '') || 'scene'}.${extension}`
+  return `${
+    name
+      .toLowerCase()
+      .replace(/[^a-z0-9]+/g, '_')
+      .replace(/^_+|_+$/g, '') || 'scene'
+  }.${extension}`
 }
 
 async function loadSamples(bridge) {
@@ -110,7 +115,9 @@ function connectFiles(bridge) {
   )
   for (const kind of ['bvh', 'glb']) {
     const type = kind === 'glb' ? 'model/gltf-binary' : 'text/plain'
-    by(`download-${kind}`).addEventListener('click', () => download(bridge.walkFile(kind), fileName(bridge, kind), type))
+    by(`download-${kind}`).addEventListener('click', () =>
+      download(bridge.walkFile(kind), fileName(bridge, kind), type),
+    )
   }
   const main = document.querySelector('main')
   addEventListener('dragover', (event) => {
