@@ -9,7 +9,10 @@ const loadingText = document.getElementById('loading-text')
 const loadingBar = document.getElementById('loading-bar')
 const canvas = document.getElementById('view')
 
+let hasGivenUp = false
+
 function giveUp(sentence) {
+  hasGivenUp = true
   loading.classList.remove('done')
   loading.classList.add('failed')
   loading.setAttribute('role', 'alert')
@@ -49,8 +52,7 @@ async function start() {
   const missing = whatIsMissing()
   if (missing) return giveUp(missing)
   const progress = new Progress((share, megabytes) => {
-    // What failed stays on screen while other downloads still arrive.
-    if (loading.classList.contains('failed')) return
+    if (hasGivenUp) return
     loadingBar.value = share
     loadingText.textContent = `Loading… ${megabytes} MB`
   })

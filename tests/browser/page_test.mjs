@@ -125,13 +125,13 @@ describe('editing', () => {
 
   it('leaves keys to the bar above the view', () =>
     visiting({}, async (visit) => {
-      const earlier = await visit.untilPlanned()
+      const first = await visit.untilPlanned()
       await visit.page.locator('#new').focus()
       await visit.page.keyboard.press('b')
       await visit.page.keyboard.press('ArrowRight')
       const state = await visit.state()
-      assert.equal(state.tool, earlier.tool)
-      assert.equal(state.frame, earlier.frame)
+      assert.equal(state.tool, first.tool)
+      assert.equal(state.frame, first.frame)
     }))
 })
 
@@ -153,7 +153,7 @@ describe('links', () => {
 
   it('that are damaged leave the scene alone and say so', () =>
     visiting({}, async (visit) => {
-      const earlier = await visit.openSample('one_obstacle.json')
+      const first = await visit.openSample('one_obstacle.json')
       await visit.page.click('#share')
       const link = await visit.page.inputValue('#share-link')
       await visit.page.click('#share-close')
@@ -162,7 +162,7 @@ describe('links', () => {
       await visit.page.evaluate((hash) => (location.hash = hash), damaged.slice(damaged.indexOf('#')))
       const state = await visit.until((now) => now.notice !== '')
       assert.match(state.notice, /link/i)
-      assert.deepEqual(state.scene, earlier.scene)
+      assert.deepEqual(state.scene, first.scene)
       await visit.screenshot('damaged_link')
     }))
 })
@@ -184,12 +184,12 @@ describe('files', () => {
 
   it('that are no scene are refused with a sentence', () =>
     visiting({}, async (visit) => {
-      const earlier = await visit.untilPlanned()
+      const first = await visit.untilPlanned()
       const file = { name: 'broken.json', mimeType: 'application/json', buffer: Buffer.from('{"width": 3') }
       await visit.page.setInputFiles('#file', file)
       const state = await visit.until((now) => now.notice !== '')
       assert.match(state.notice, /broken\.json/)
-      assert.deepEqual(state.scene, earlier.scene)
+      assert.deepEqual(state.scene, first.scene)
     }))
 })
 

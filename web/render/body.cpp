@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "motion/kinematics.h"
 
@@ -12,6 +13,7 @@ namespace stridegraph {
 namespace {
 
 constexpr double kReferenceHeightMetres = 1.75;
+constexpr double kReferenceShoulderMetres = 1.44;
 
 enum class Limb { kTorso, kLeg, kArm, kHead };
 
@@ -106,7 +108,7 @@ Radii radiiOf(const Anatomy& body, std::size_t parent) {
   static constexpr std::array<Radii, 4> kLeg = {
       {{0.088, 0.060}, {0.059, 0.040}, {0.040, 0.036}, {0.034, 0.024}}};
   static constexpr std::array<Radii, 5> kArm = {
-      {{0.052, 0.056}, {0.052, 0.040}, {0.039, 0.027}, {0.029, 0.022}, {0.012, 0.009}}};
+      {{0.054, 0.056}, {0.054, 0.041}, {0.041, 0.029}, {0.034, 0.026}, {0.014, 0.010}}};
   static constexpr std::array<Radii, 2> kHead = {{{0.055, 0.055}, {0.092, 0.085}}};
   static constexpr std::array<Radii, 1> kTorso = {{{0.105, 0.105}}};
   const int depth = body.depthInLimb[parent];
@@ -151,78 +153,108 @@ std::size_t shoulderOf(const Anatomy& body, std::size_t root, const Vec3& middle
   return best;
 }
 
-/// Pelvis, belly and chest: cross bars between the hips and below the shoulders, joined by a waist.
-void addTrunk(const Anatomy& body, double scale, std::vector<Bone>& bones) {
+/// Where the trunk's joints are, as far as limbs tell.
+struct Trunk {
+  Vec3 hips, shoulders, left, right;
+  std::size_t chest = 0;  ///< The joint that arms hang on.
+};
+
+std::optional<Trunk> trunkOf(const Anatomy& body) {
   const std::vector<std::size_t> legs = limbRoots(body, Limb::kLeg);
   const std::vector<std::size_t> arms = limbRoots(body, Limb::kArm);
-  if (legs.size() < 2 || arms.size() < 2) return;
-  const JointIndex root(std::size_t{0});
-  const Vec3 hips = (body.at(legs[0]) + body.at(legs[1])) / 2.0;
-  const Vec3 up(0.0, scale, 0.0);
-  const auto toward = [](const Vec3& from, const Vec3& to, double share) -> Vec3 {
-    return from + (to - from) * share;
-  };
-  const std::size_t chest = body.skeleton.joints[arms[0]].parent->value;
-  const JointIndex chestJoint(chest);
-  const Vec3 left = body.at(shoulderOf(body, arms[0], hips));
-  const Vec3 right = body.at(shoulderOf(body, arms[1], hips));
-  const Vec3 shoulders = (left + right) / 2.0;
-  const Vec3 pelvisMiddle = hips + 0.045 * up;
-  const auto inRoot = [&](const Vec3& p) { return offsetIn(body, 0, p); };
-  const auto inChest = [&](const Vec3& p) { return offsetIn(body, chest, p); };
-  bones.push_back({root, root, inRoot(toward(pelvisMiddle, body.at(legs[0]), 0.62)),
-                   inRoot(toward(pelvisMiddle, body.at(legs[1]), 0.62)), 0.100 * scale, 0.100 * scale});
-  const Vec3 ribs = toward(shoulders, hips, 0.30);
-  const Vec3 waist = toward(shoulders, hips, 0.66);
-  const Vec3 acrossLeft = (left - shoulders) * 0.44;
-  const Vec3 acrossRight = (right - shoulders) * 0.44;
-  bones.push_back({chestJoint, chestJoint, inChest(ribs + acrossLeft), inChest(ribs + acrossRight),
-                   0.105 * scale, 0.105 * scale});
-  const Vec3 collar = shoulders - 0.050 * up;
-  bones.push_back({chestJoint, chestJoint, inChest(collar + 1.45 * acrossLeft),
-                   inChest(collar + 1.45 * acrossRight), 0.068 * scale, 0.068 * scale});
-  for (const Vec3& across : {acrossLeft, acrossRight}) {
-    bones.push_back({chestJoint, root, inChest(ribs + 0.8 * across), inRoot(waist + 0.45 * across),
-                     0.102 * scale, 0.096 * scale});
-    bones.push_back({root, root, inRoot(waist + 0.45 * across), inRoot(pelvisMiddle + 0.6 * across),
-                     0.096 * scale, 0.098 * scale});
-  }
+  if (legs.size() < 2 || arms.size() < 2) return std::nullopt;
+  Trunk trunk;
+  trunk.hips = (body.at(legs[0]) + body.at(legs[1])) / 2.0;
+  trunk.left = body.at(shoulderOf(body, arms[0], trunk.hips));
+  trunk.right = body.at(shoulderOf(body, arms[1], trunk.hips));
+  trunk.shoulders = (trunk.left + trunk.right) / 2.0;
+  trunk.chest = body.skeleton.joints[arms[0]].parent->value;
+  return trunk;
 }
 
-void addHead(const Anatomy& body, double scale, std::vector<Bone>& bones) {
+/// Three columns side by side from pelvis to collar, and the bars that join them: an oval, seen from above.
+void addTrunk(const Anatomy& body, const Trunk& trunk, double scale, std::vector<Bone>& bones) {
+  const Vec3 across = (trunk.left - trunk.right) / 2.0;
+  const Vec3 up(0.0, scale, 0.0);
+  const auto between = [&](double share) -> Vec3 {
+    return trunk.hips + (trunk.shoulders - trunk.hips) * share;
+  };
+  const auto add = [&](const Vec3& from, double fromRadius, const Vec3& to, double toRadius) {
+    // The lower part goes with the pelvis, the upper part with the chest.
+    const auto jointAt = [&](const Vec3& p) {
+      return (p - trunk.hips).y() < 0.5 * (trunk.shoulders - trunk.hips).y() ? std::size_t{0} : trunk.chest;
+    };
+    const std::size_t a = jointAt(from), b = jointAt(to);
+    bones.push_back({JointIndex(a), JointIndex(b), offsetIn(body, a, from), offsetIn(body, b, to),
+                     fromRadius * scale, toRadius * scale});
+  };
+  const Vec3 pelvis = trunk.hips + 0.035 * up, waist = between(0.42), ribs = between(0.74),
+             collar = between(0.95);
+  for (const double side : {-1.0, 1.0}) {
+    add(pelvis + 0.46 * side * across, 0.098, waist + 0.34 * side * across, 0.088);
+    add(waist + 0.34 * side * across, 0.088, ribs + 0.50 * side * across, 0.104);
+    add(ribs + 0.50 * side * across, 0.104, collar + 0.62 * side * across, 0.064);
+    add(collar - 0.02 * up, 0.075, trunk.shoulders + 0.92 * side * across - 0.012 * up, 0.055);
+  }
+  add(pelvis, 0.106, waist, 0.096);
+  add(waist, 0.096, ribs, 0.112);
+  add(ribs, 0.112, collar, 0.080);
+  add(pelvis + 0.46 * across, 0.098, pelvis - 0.46 * across, 0.098);
+  add(ribs + 0.50 * across, 0.104, ribs - 0.50 * across, 0.104);
+}
+
+/// Many files end at the neck: the skull is set above the shoulders, and hangs on the last joint that turns.
+void addHead(const Anatomy& body, const std::optional<Trunk>& trunk, double scale, std::vector<Bone>& bones) {
   const std::vector<std::size_t> heads = limbRoots(body, Limb::kHead);
   if (heads.empty()) return;
   std::size_t end = heads[0];
   while (!body.children[end].empty()) end = body.children[end][0];
-  // The skull hangs on the last joint that turns; files end anywhere between the neck and the crown.
-  const std::size_t skull =
-      body.skeleton.joints[end].isEndSite ? body.skeleton.joints[end].parent->value : end;
-  const std::size_t base = body.skeleton.joints[heads[0]].parent->value;
+  const bool isEnd = body.skeleton.joints[end].isEndSite;
+  const std::size_t skull = isEnd ? body.skeleton.joints[end].parent->value : end;
+  const std::size_t base = trunk ? trunk->chest : body.skeleton.joints[heads[0]].parent->value;
   const Vec3 up(0.0, scale, 0.0);
-  const JointIndex joint(skull);
-  const Vec3 neckTop = body.at(skull);
+  const Vec3 root = trunk ? trunk->shoulders : body.at(base);
   Vec3 crown = body.at(end);
-  const double least = 0.10 * scale;
-  if ((crown - neckTop).y() < least) crown = neckTop + 0.12 * up;
-  const Vec3 middle = neckTop + (crown - neckTop) * 0.5;
-  bones.push_back({joint, joint, offsetIn(body, skull, middle + 0.025 * up),
-                   offsetIn(body, skull, middle - 0.035 * up), 0.098 * scale, 0.080 * scale});
-  const std::vector<std::size_t> arms = limbRoots(body, Limb::kArm);
-  const Vec3 foot = arms.size() < 2 ? body.at(base) : Vec3((body.at(arms[0]) + body.at(arms[1])) / 2.0);
-  const Vec3 lower = foot.y() < neckTop.y() - 0.25 * scale ? neckTop - 0.16 * up : foot;
-  bones.push_back({joint, JointIndex(base), offsetIn(body, skull, middle - 0.03 * up),
-                   offsetIn(body, base, lower), 0.054 * scale, 0.062 * scale});
+  if (crown.y() < root.y() + 0.29 * scale)
+    crown = Vec3(body.at(skull).x(), root.y() + 0.29 * scale, body.at(skull).z());
+  const JointIndex joint(skull);
+  const Vec3 forehead = crown - 0.100 * up, chin = crown - 0.170 * up;
+  bones.push_back({joint, joint, offsetIn(body, skull, forehead), offsetIn(body, skull, chin), 0.098 * scale,
+                   0.076 * scale});
+  bones.push_back({joint, JointIndex(base), offsetIn(body, skull, chin + 0.02 * up),
+                   offsetIn(body, base, root - 0.03 * up), 0.052 * scale, 0.068 * scale});
+}
+
+/// Behind each ankle, down to the floor.
+void addHeels(const Anatomy& body, double scale, std::vector<Bone>& bones) {
+  for (std::size_t toe = 1; toe < body.skeleton.size(); ++toe) {
+    const std::size_t ankle = body.skeleton.joints[toe].parent->value;
+    if (body.limb[ankle] != Limb::kLeg || body.depthInLimb[ankle] != 2 || body.depthInLimb[toe] != 3)
+      continue;
+    Vec3 back = body.at(ankle) - body.at(toe);
+    back.y() = 0.0;
+    const double radius = 0.036 * scale;
+    Vec3 heel = body.at(ankle) + 0.32 * back;
+    heel.y() = std::min(body.at(ankle).y(), body.at(toe).y() + 0.012 * scale);
+    const JointIndex joint(ankle);
+    bones.push_back({joint, joint, Vec3::Zero(), offsetIn(body, ankle, heel), 0.041 * scale, radius});
+    bones.push_back(
+        {joint, JointIndex(toe), offsetIn(body, ankle, heel), Vec3::Zero(), radius, 0.037 * scale});
+  }
 }
 
 }  // namespace
 
 std::vector<Bone> bonesFor(const Skeleton& skeleton, const PoseView& standing) {
   const Anatomy body = anatomyOf(skeleton, standing);
-  const double scale = body.height() / kReferenceHeightMetres;
+  const std::optional<Trunk> trunk = trunkOf(body);
+  const double scale = trunk ? (trunk->shoulders.y() - body.floor) / kReferenceShoulderMetres
+                             : body.height() / kReferenceHeightMetres;
   std::vector<Bone> bones;
-  addTrunk(body, scale, bones);
-  const bool hasTrunk = !bones.empty();
-  addHead(body, scale, bones);
+  if (trunk) addTrunk(body, *trunk, scale, bones);
+  const bool hasTrunk = trunk.has_value();
+  addHead(body, trunk, scale, bones);
+  addHeels(body, scale, bones);
   for (std::size_t i = 1; i < skeleton.size(); ++i) {
     const std::size_t parent = skeleton.joints[i].parent->value;
     const Limb limb = body.limb[parent];

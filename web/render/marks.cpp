@@ -47,12 +47,12 @@ void addRoute(const AppState& state, const Palette& palette, FloorMarks& marks) 
   const Plan& plan = *state.plan;
   if (state.view.roadmap) {
     for (const auto& [from, to] : plan.roadmap) {
-      marks.lines.push_back({from, to, palette.roadmap, 0.012, 1.0});
+      marks.lines.push_back({from, to, palette.roadmap, 0.004, 1.0});
     }
   }
   if (state.view.path) {
     for (std::size_t i = 1; i < plan.path.size(); ++i) {
-      marks.lines.push_back({plan.path[i - 1], plan.path[i], palette.path, 0.05, 2.0});
+      marks.lines.push_back({plan.path[i - 1], plan.path[i], palette.path, 0.035, 2.0});
     }
   }
   if (state.view.trail) {
@@ -80,8 +80,8 @@ void addPlacement(const Placement& placement, double radius, const Colour& colou
     return;
   }
   const Heading heading = Heading::fromAngle(*placement.heading);
-  const Vec2 tip = at + heading.direction() * (radius + 0.20);
-  marks.push_back({MarkKind::kArrow, tip, Vec2(0.15, 0.13), heading, colour, 0.0});
+  const Vec2 tip = at + heading.direction() * (radius + 0.14);
+  marks.push_back({MarkKind::kArrow, tip, Vec2(0.17, 0.12), heading, colour, 0.0});
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace stridegraph {
 namespace {
 
 constexpr int kShadowSize = 2048;
-constexpr double kShadowReachMetres = 26.0;
+constexpr double kSmallestShadowReachMetres = 5.0;
 constexpr std::size_t kMostCapsules = 40;  // As many as the shader has room for.
 constexpr int kBlockFloats = 11, kBodyFloats = 11, kLineFloats = 12, kMarkFloats = 13;
 constexpr double kFloorReachMetres = 400.0;
@@ -123,9 +123,16 @@ Result<SceneRenderer> SceneRenderer::create() {
   made.markMesh_ = InstancedMesh(quad.vertices, quad.indices, {kTwo, kMark});
   made.blockMesh_ = InstancedMesh(cube.vertices, cube.indices, {kSix, kBlock});
   made.bodyMesh_ = InstancedMesh(cone.vertices, cone.indices, {kFour, kBlock});
-  made.shadowMap_ = makeTexture();
-  made.shadowTarget_ = makeFramebuffer();
-  glBindTexture(GL_TEXTURE_2D, made.shadowMap_.name());
+  made.nearShadow_ = makeShadowMap();
+  made.roomShadow_ = makeShadowMap();
+  return made;
+}
+
+SceneRenderer::ShadowMap SceneRenderer::makeShadowMap() {
+  ShadowMap map;
+  map.depth = makeTexture();
+  map.target = makeFramebuffer();
+  glBindTexture(GL_TEXTURE_2D, map.depth.name());
   glTexStorage2D(GL_TEXTURE_2D, 1, GL_DEPTH_COMPONENT24, kShadowSize, kShadowSize);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
@@ -133,15 +140,15 @@ Result<SceneRenderer> SceneRenderer::create() {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
-  glBindFramebuffer(GL_FRAMEBUFFER, made.shadowTarget_.name());
-  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, made.shadowMap_.name(), 0);
+  glBindFramebuffer(GL_FRAMEBUFFER, map.target.name());
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, map.depth.name(), 0);
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
-  return made;
+  return map;
 }
 
 void SceneRenderer::draw(const Picture& picture) {
   const std::vector<float> blocks = blocksOf(picture.state);
-  drawShadowMap(picture, blocks);
+  drawShadowMaps(picture, blocks);
   glViewport(0, 0, picture.size.width, picture.size.height);
   const Colour& back = paletteFor(picture.state.view.dark).horizon;
   glClearColor(back.red, back.green, back.blue, 1.0F);
@@ -166,22 +173,27 @@ void SceneRenderer::draw(const Picture& picture) {
   glDisable(GL_DEPTH_TEST);
 }
 
-void SceneRenderer::drawShadowMap(const Picture& picture, const std::vector<float>& blocks) {
+void SceneRenderer::drawShadowMaps(const Picture& picture, const std::vector<float>& blocks) {
   const Scene& scene = picture.state.shownScene();
   const double roomReach = 0.5 * std::hypot(scene.widthMetres, scene.depthMetres) + 1.5;
-  const double reach = std::min(roomReach, kShadowReachMetres);
-  // A room that fits is shown whole; in a larger one the map follows the view in steps.
-  Vec2 centre(scene.widthMetres / 2, scene.depthMetres / 2);
-  if (roomReach > reach) {
-    constexpr double kStep = 4.0;
-    centre = (picture.state.camera.current.target / kStep).array().round().matrix() * kStep;
-  }
-  if (blocks == shadowBlocks_ && centre == shadowCentre_ && reach == shadowReach_) return;
-  shadowBlocks_ = blocks;
-  shadowCentre_ = centre;
-  shadowReach_ = reach;
-  shadowFromWorld_ = shadowMatrix(centre, reach);
-  glBindFramebuffer(GL_FRAMEBUFFER, shadowTarget_.name());
+  drawShadowMap(roomShadow_, Vec2(scene.widthMetres / 2, scene.depthMetres / 2), roomReach, blocks);
+  // The near map follows the view in steps, so that it is drawn rarely and its texels stay in place.
+  const CameraPose& pose = picture.state.camera.current;
+  double reach = kSmallestShadowReachMetres;
+  while (reach < 2.2 * pose.halfHeightMetres) reach *= 2.0;
+  reach = std::min(reach, roomReach);
+  const double step = reach / 4.0;
+  drawShadowMap(nearShadow_, (pose.target / step).array().round().matrix() * step, reach, blocks);
+}
+
+void SceneRenderer::drawShadowMap(ShadowMap& map, const Vec2& centre, double reachMetres,
+                                  const std::vector<float>& blocks) {
+  if (blocks == map.blocks && centre == map.centre && reachMetres == map.reachMetres) return;
+  map.blocks = blocks;
+  map.centre = centre;
+  map.reachMetres = reachMetres;
+  map.mapFromWorld = shadowMatrix(centre, reachMetres);
+  glBindFramebuffer(GL_FRAMEBUFFER, map.target.name());
   glViewport(0, 0, kShadowSize, kShadowSize);
   glClear(GL_DEPTH_BUFFER_BIT);
   glEnable(GL_DEPTH_TEST);
@@ -189,7 +201,7 @@ void SceneRenderer::drawShadowMap(const Picture& picture, const std::vector<floa
   glEnable(GL_CULL_FACE);
   glCullFace(GL_FRONT);
   glUseProgram(blockDepth_.name());
-  setMatrix(blockDepth_, "uClipFromWorld", shadowFromWorld_);
+  setMatrix(blockDepth_, "uClipFromWorld", map.mapFromWorld);
   blockMesh_.draw(blocks, kBlockFloats);
   glCullFace(GL_BACK);
   glDisable(GL_CULL_FACE);
@@ -207,11 +219,15 @@ void SceneRenderer::setLight(const GlProgram& program, const Picture& picture) c
   glUniform3f(uniformOf(program, "uSunLight"), palette.sun.red * sunScale, palette.sun.green * sunScale,
               palette.sun.blue * sunScale);
   setColour(program, "uSkyLight", palette.sky);
-  setMatrix(program, "uShadowFromWorld", shadowFromWorld_);
+  setMatrix(program, "uNearShadowFromWorld", nearShadow_.mapFromWorld);
+  setMatrix(program, "uShadowFromWorld", roomShadow_.mapFromWorld);
   glUniform1f(uniformOf(program, "uShadowTexel"), 1.0F / kShadowSize);
-  glUniform1i(uniformOf(program, "uShadowMap"), 0);
+  glUniform1i(uniformOf(program, "uNearShadowMap"), 0);
+  glUniform1i(uniformOf(program, "uShadowMap"), 1);
+  glActiveTexture(GL_TEXTURE1);
+  glBindTexture(GL_TEXTURE_2D, roomShadow_.depth.name());
   glActiveTexture(GL_TEXTURE0);
-  glBindTexture(GL_TEXTURE_2D, shadowMap_.name());
+  glBindTexture(GL_TEXTURE_2D, nearShadow_.depth.name());
   std::vector<float> from, to;
   Vec3 low = Vec3::Constant(1e9), high = Vec3::Constant(-1e9);
   const std::size_t count = std::min(picture.body.size(), kMostCapsules);

@@ -35,7 +35,20 @@ class SceneRenderer {
  private:
   SceneRenderer() = default;
 
-  void drawShadowMap(const Picture& picture, const std::vector<float>& blocks);
+  /// What the blocks' shadows look like from the sun, within a square around a floor point.
+  struct ShadowMap {
+    GlTexture depth;
+    GlFramebuffer target;
+    Eigen::Matrix4f mapFromWorld = Eigen::Matrix4f::Identity();
+    std::vector<float> blocks;  ///< What it shows, to draw it only when that changes.
+    Vec2 centre = Vec2::Zero();
+    double reachMetres = 0.0;
+  };
+
+  static ShadowMap makeShadowMap();
+  void drawShadowMaps(const Picture& picture, const std::vector<float>& blocks);
+  void drawShadowMap(ShadowMap& map, const Vec2& centre, double reachMetres,
+                     const std::vector<float>& blocks);
   void setLight(const GlProgram& program, const Picture& picture) const;
   void drawBackground(const Picture& picture);
   void drawFloor(const Picture& picture);
@@ -46,12 +59,7 @@ class SceneRenderer {
 
   GlProgram sky_, floor_, block_, blockDepth_, body_, line_, mark_;
   InstancedMesh quad_, blockMesh_, bodyMesh_, lineMesh_, markMesh_;
-  GlTexture shadowMap_;
-  GlFramebuffer shadowTarget_;
-  Eigen::Matrix4f shadowFromWorld_ = Eigen::Matrix4f::Identity();
-  std::vector<float> shadowBlocks_;  ///< What the shadow map shows, to draw it only when that changes.
-  Vec2 shadowCentre_ = Vec2::Zero();
-  double shadowReach_ = 0.0;
+  ShadowMap nearShadow_, roomShadow_;
 };
 
 }  // namespace stridegraph

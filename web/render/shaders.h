@@ -24,7 +24,10 @@ inline constexpr char kLighting[] = R"(
 uniform vec3 uToSun;
 uniform vec3 uSunLight;
 uniform vec3 uSkyLight;
+// Two maps of the blocks: a sharp one around the middle of the view, and one of the whole room.
+uniform mat4 uNearShadowFromWorld;
 uniform mat4 uShadowFromWorld;
+uniform sampler2DShadow uNearShadowMap;
 uniform sampler2DShadow uShadowMap;
 uniform float uShadowTexel;
 uniform vec4 uCapsuleFrom[40];
@@ -32,14 +35,22 @@ uniform vec4 uCapsuleTo[40];
 uniform int uCapsuleCount;
 uniform vec4 uBodySphere;
 
+float shadowTaps(sampler2DShadow map, vec3 c) {
+  vec2 r = vec2(uShadowTexel * 0.6, uShadowTexel * 1.5);
+  return 0.25 * (texture(map, c + vec3(r.x, r.y, 0.0)) + texture(map, c + vec3(-r.y, r.x, 0.0)) +
+                 texture(map, c + vec3(-r.x, -r.y, 0.0)) + texture(map, c + vec3(r.y, -r.x, 0.0)));
+}
+
+bool isInMap(vec3 c) { return all(greaterThan(c.xy, vec2(0.004))) && all(lessThan(c.xy, vec2(0.996))); }
+
 float blockShadow(vec3 p, vec3 n) {
-  vec4 s = uShadowFromWorld * vec4(p + n * 0.03, 1.0);
-  vec3 c = s.xyz * 0.5 + 0.5;
-  if (any(lessThan(c, vec3(0.0))) || any(greaterThan(c, vec3(1.0)))) return 1.0;
+  vec4 from = vec4(p + n * 0.02, 1.0);
+  vec3 c = (uNearShadowFromWorld * from).xyz * 0.5 + 0.5;
   c.z -= 0.0004;
-  vec2 near = vec2(uShadowTexel * 0.6, uShadowTexel * 1.5);
-  return 0.25 * (texture(uShadowMap, c + vec3(near.x, near.y, 0.0)) + texture(uShadowMap, c + vec3(-near.y, near.x, 0.0)) +
-                 texture(uShadowMap, c + vec3(-near.x, -near.y, 0.0)) + texture(uShadowMap, c + vec3(near.y, -near.x, 0.0)));
+  if (isInMap(c)) return shadowTaps(uNearShadowMap, c);
+  c = (uShadowFromWorld * from).xyz * 0.5 + 0.5;
+  c.z -= 0.0004;
+  return isInMap(c) ? shadowTaps(uShadowMap, c) : 1.0;
 }
 
 // How much of the sun passes a capsule: the gap between ray and capsule over the way to it, as an angle,
@@ -357,7 +368,7 @@ void main() {
   else if (kind == 2) {                                          // arrow head towards +z
     vec2 p = vec2(abs(vLocal.x), vLocal.y);
     vec2 side = normalize(vec2(2.0 * h.y, h.x));
-    d = max(dot(p - vec2(0.0, h.y), side), -(p.y + h.y * (1.0 - 0.55 * (1.0 - p.x / h.x))));
+    d = max(dot(p - vec2(0.0, h.y), side), -(p.y + h.y));
   } else if (kind == 3) {                                        // footprint, toes towards +z
     float sole = taper(vLocal, vec2(0.0, -0.62 * h.y), vec2(0.0, 0.48 * h.y), 0.62 * h.x, 0.98 * h.x);
     float arch = length(vLocal - vec2(vKind.y * 1.45 * h.x, -0.12 * h.y)) - 0.80 * h.x;
