@@ -66,10 +66,6 @@ stridegraph_headers(flatbuffers::flatbuffers HEADER flatbuffers/flatbuffers.h PA
   HOME https://github.com/google/flatbuffers
   URL https://github.com/google/flatbuffers/archive/v2.0.8.tar.gz
   SHA256 f97965a727d26386afaefff950badef2db3ab6af9afe23ed6d94bfb65f95f37e SUBFOLDER include)
-stridegraph_headers(nanoflann::nanoflann HEADER nanoflann.hpp PACKAGE libnanoflann-dev
-  HOME https://github.com/jlblancoc/nanoflann
-  URL https://github.com/jlblancoc/nanoflann/archive/v1.4.3.tar.gz
-  SHA256 cbcecf22bec528a8673a113ee9b0e134f91f1f96be57e913fa1f74e98e4449fa SUBFOLDER include)
 stridegraph_headers(tinygltf::tinygltf HEADER tiny_gltf.h PACKAGE libtinygltf-dev
   HOME https://github.com/syoyo/tinygltf
   URL https://github.com/syoyo/tinygltf/archive/v2.8.23.tar.gz

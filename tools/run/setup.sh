@@ -5,7 +5,7 @@
 # What is built with, what the page is built with, and what tests use.
 nativePackages=(
   g++ cmake ninja-build ccache libeigen3-dev libfmt-dev libexpected-dev nlohmann-json3-dev libfast-float-dev
-  libflatbuffers-dev flatbuffers-compiler libnanoflann-dev libtinygltf-dev libcli11-dev libgtest-dev)
+  libflatbuffers-dev flatbuffers-compiler libtinygltf-dev libcli11-dev libgtest-dev)
 webPackages=(emscripten fonts-inter)
 testPackages=(chromium clang-format shellcheck python3-numpy)
 tidyPackages=(clang-tidy)
