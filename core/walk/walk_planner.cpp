@@ -149,16 +149,26 @@ class Planning {
     report.motionLengthMetres = rootPathLength(made.clip);
     report.clearanceMetres = smallestClearance(floor, made.clip);
     report.footSkateCmPerSecond = footSkate(library_.skeleton, made.clip, library_.contactJoints);
-    if (report.clearanceMetres < -FloorPlan::kTouchToleranceMetres) {
-      report.explanation = fmt::format(
-          "the walk reaches {:.2f} m into an obstacle or a wall: the {} search does not look at them",
-          -report.clearanceMetres, searchName(report.search));
-    }
+    report.explanation = caveats();
     for (const WalkStep& step : motion.steps) noteEdge(step);
     plan_.walk = std::move(made.clip);
     plan_.frameKinds = std::move(made.frameKinds);
     plan_.contacts = std::move(made.contacts);
     report.synthesisMilliseconds = watch.elapsed();
+  }
+
+  /// What a walk that arrives leaves to be wished for, in sentences.
+  std::string caveats() const {
+    const PlanReport& report = plan_.report;
+    std::vector<std::string> sentences;
+    if (report.clearanceMetres < -FloorPlan::kTouchToleranceMetres) {
+      sentences.push_back(fmt::format(
+          "the walk reaches {:.2f} m into an obstacle or a wall: the {} search does not look at them",
+          -report.clearanceMetres, searchName(report.search)));
+    }
+    if (!scene_.moving.empty()) sentences.emplace_back("moving obstacles are not looked at yet");
+    if (scene_.goal.heading) sentences.emplace_back("the heading asked for at the goal is not sought yet");
+    return fmt::format("{}", fmt::join(sentences, "; "));
   }
 
   /// Notes which frames of the library a step plays: a clip piece may be entered and left on its way.

@@ -20,22 +20,11 @@ std::size_t AppState::shownFrame() const {
 
 namespace {
 
-std::string plainReason(PlanStatus status) {
-  switch (status) {
-    case PlanStatus::kArrived:
-      return "";
-    case PlanStatus::kStartBlocked:
-      return "The start is blocked: the body does not fit where it stands.";
-    case PlanStatus::kGoalBlocked:
-      return "The goal is blocked: the body does not fit there.";
-    case PlanStatus::kNoPath:
-      return "There is no way: every path to the goal is walled off for this body.";
-    case PlanStatus::kNoMotion:
-      return "There is a path, but no captured motion can follow it.";
-    case PlanStatus::kBudgetSpent:
-      return "The search ran out of time before it found a walk.";
-  }
-  return "";
+/// The engine explains in a clause; people read sentences.
+std::string sentenceOf(std::string clause) {
+  if (clause.empty()) return clause;
+  if (clause[0] >= 'a' && clause[0] <= 'z') clause[0] = static_cast<char>(clause[0] - 'a' + 'A');
+  return clause + ".";
 }
 
 }  // namespace
@@ -46,10 +35,11 @@ std::string statusSentence(const AppState& state) {
   if (!state.plan) return "Planning the walk.";
   const PlanReport& report = state.plan->report;
   if (report.status == PlanStatus::kArrived) {
-    return fmt::format("Arrives after {:.1f} m in {:.1f} s.", report.motionLengthMetres,
-                       report.durationSeconds);
+    const std::string note = report.explanation.empty() ? "" : " " + sentenceOf(report.explanation);
+    return fmt::format("Arrives after {:.1f} m in {:.1f} s.{}", report.motionLengthMetres,
+                       report.durationSeconds, note);
   }
-  return report.explanation.empty() ? plainReason(report.status) : report.explanation;
+  return sentenceOf(report.explanation);
 }
 
 }  // namespace stridegraph

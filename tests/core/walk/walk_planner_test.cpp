@@ -186,6 +186,15 @@ TEST(WalkPlanner, namesTheOptionThatIsOutOfRange) {
   EXPECT_EQ(refusalOf(openRoom(), options), "budget in milliseconds: found -1, expected 0 to 1000000000");
 }
 
+TEST(WalkPlanner, saysWhatItDoesNotLookAt) {
+  Scene scene = openRoom();
+  EXPECT_EQ(planOf(scene).report.explanation, "");
+  scene.goal.heading = Angle::degrees(90);
+  scene.moving = {{{1, 1}, TrackRepeat::kLoop, {{0.0, {6, 1}}}}};
+  EXPECT_EQ(planOf(scene).report.explanation,
+            "moving obstacles are not looked at yet; the heading asked for at the goal is not sought yet");
+}
+
 TEST(WalkPlanner, refusesASceneThatIsOutOfRange) {
   Scene scene = openRoom();
   scene.widthMetres = -1.0;
