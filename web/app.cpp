@@ -15,6 +15,7 @@ namespace stridegraph {
 
 namespace {
 
+// Longer than the slowest frame, so that what has begun to move always comes to rest.
 constexpr double kAwakeSeconds = 0.7;
 constexpr double kLongestStepSeconds = 0.1;
 
@@ -153,7 +154,7 @@ bool App::frame(const FrameRequest& wanted) {
   const bool resized = request.viewport != shown_.viewport || request.pixelRatio != shown_.pixelRatio;
   if (resized || !queue_.empty() || state_.playback.playing || state_.replanning.wanted)
     stayAwake(kAwakeSeconds);
-  if (state_.nowSeconds < state_.notice.untilSeconds) stayAwake(0.1);
+  if (state_.nowSeconds < state_.notice.untilSeconds) stayAwake(kAwakeSeconds);
   if (state_.nowSeconds > awakeUntil_) return false;
   if (wantsWholeRoom_) {
     apply(state_, ShowWholeRoom{request.viewport});
@@ -169,7 +170,7 @@ bool App::frame(const FrameRequest& wanted) {
   advance(state_, step);
   updateWalk();
   followBody(step);
-  if (glide(state_.camera, step)) stayAwake(0.1);
+  if (glide(state_.camera, step)) stayAwake(kAwakeSeconds);
   const CameraView view = viewOf(state_.camera.current, request.viewport);
   showPanels(view);
   showCursor(hovered);

@@ -99,15 +99,15 @@ export class Visit {
   }
 
   /** Waits until the camera rests, so that places on screen stay where they are. */
-  async untilSettled() {
-    let last = ''
-    for (;;) {
-      const state = await this.state()
-      const now = JSON.stringify(await this.pointOf(0, 0))
-      if (now === last) return state
-      last = now
-      await this.page.waitForTimeout(4 * interval)
-    }
+  untilSettled() {
+    return this.until((state) => !state.camera_moving)
+  }
+
+  /** Chooses a camera by its key, and waits until it is there. */
+  async useCamera(key, name) {
+    await this.press(key)
+    await this.until((state) => state.camera === name)
+    return this.untilSettled()
   }
 
   async press(key) {

@@ -42,8 +42,8 @@ describe('the page', () => {
       assert.equal(walked.playing, true)
       assert.equal(Math.hypot(walked.root[0] - root[0], walked.root[2] - root[2]) > 0.3, true)
       await visit.press('Space')
-      await visit.press('2')
-      await visit.untilSettled()
+      await visit.until((state) => !state.playing)
+      await visit.useCamera('2', 'follow')
       await visit.screenshot('walk')
     }))
 
@@ -51,8 +51,7 @@ describe('the page', () => {
     visiting({ colorScheme: 'dark' }, async (visit) => {
       await visit.openSample('scattered.json')
       await visit.screenshot('dark')
-      await visit.press('3')
-      await visit.untilSettled()
+      await visit.useCamera('3', 'top')
       await visit.screenshot('top')
     }))
 
@@ -80,9 +79,9 @@ describe('editing', () => {
   it('draws a block, plans around it, and takes it back', () =>
     visiting({}, async (visit) => {
       const first = await visit.openSample('empty.json')
-      await visit.press('3')
-      await visit.untilSettled()
+      await visit.useCamera('3', 'top')
       await visit.press('b')
+      await visit.until((state) => state.tool === 'block')
       const { start, goal } = first.scene
       const middle = [(start.x + goal.x) / 2, (start.z + goal.z) / 2]
       await visit.dragFloor([middle[0] - 1, middle[1] - 1], [middle[0] + 1, middle[1] + 1])
@@ -112,9 +111,9 @@ describe('editing', () => {
   it('says why there is no walk when the goal is built over', () =>
     visiting({}, async (visit) => {
       const { scene } = await visit.openSample('empty.json')
-      await visit.press('3')
-      await visit.untilSettled()
+      await visit.useCamera('3', 'top')
       await visit.press('b')
+      await visit.until((state) => state.tool === 'block')
       const { x, z } = scene.goal
       await visit.dragFloor([x - 1.5, z - 1.5], [x + 1.5, z + 1.5])
       const state = await visit.until((now) => now.scene.obstacles.length === 1 && !now.planning)

@@ -18,6 +18,8 @@ struct CameraPose {
   double pitchRadians = 0.9;        ///< Downwards; pi / 2 looks straight at the floor.
   double halfHeightMetres = 8.0;    ///< What is visible above and below the target, at its depth.
   double fieldOfViewRadians = 0.6;  ///< Vertical.
+
+  bool operator==(const CameraPose&) const = default;
 };
 
 /// A camera that glides from where it is to where it is wanted.

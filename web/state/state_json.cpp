@@ -58,6 +58,7 @@ std::string toJson(const AppState& state) {
       {"frame", state.shownFrame()},
       {"playing", state.playback.playing},
       {"camera", nameOf(state.camera.mode)},
+      {"camera_moving", !(state.camera.current == state.camera.wanted)},
       {"tool", nameOf(state.tool)},
       {"planner", std::string(plannerName(state.settings.planner))},
       {"search", std::string(searchName(state.settings.search))},
