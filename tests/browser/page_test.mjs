@@ -1,5 +1,8 @@
 import assert from 'node:assert/strict'
+import { readdir } from 'node:fs/promises'
+import { join } from 'node:path'
 import { after, before, describe, it } from 'node:test'
+import { fileURLToPath } from 'node:url'
 import { Visit, startBrowser } from './page_driver.mjs'
 
 let server
@@ -166,6 +169,13 @@ describe('links', () => {
     }))
 })
 
+/** The synthesised clips that the default library is built from. */
+async function gaitClips() {
+  const folder = fileURLToPath(new URL('../../build/gait/', import.meta.url))
+  const names = (await readdir(folder)).filter((name) => name.endsWith('.bvh'))
+  return names.map((name) => join(folder, name))
+}
+
 describe('files', () => {
   it('are the walk as BVH and GLB, and the scene', () =>
     visiting({}, async (visit) => {
@@ -179,6 +189,30 @@ describe('files', () => {
       assert.match((await fetchFile('#download-bvh')).toString().slice(0, 9), /HIERARCHY/)
       assert.equal((await fetchFile('#download-glb')).subarray(0, 4).toString(), 'glTF')
       assert.deepEqual(JSON.parse((await fetchFile('#save')).toString()), scene)
+    }))
+
+  it('of motion capture become a library, built in a worker', () =>
+    visiting({}, async (visit) => {
+      const first = await visit.openSample('one_obstacle.json')
+      await visit.page.setInputFiles('#file', await gaitClips())
+      const built = await visit.until((state) => /42 clips/.test(state.notice) && !state.planning)
+      assert.equal(built.plan.status, 'arrived')
+      // The shipped library was built from the same clips, at a smaller threshold.
+      assert.notDeepEqual(built.plan.edges, first.plan.edges)
+    }))
+
+  it('of motion capture that are damaged are refused with the place', () =>
+    visiting({}, async (visit) => {
+      const first = await visit.untilPlanned()
+      const file = {
+        name: 'broken.bvh',
+        mimeType: 'text/plain',
+        buffer: Buffer.from('HIERARCHY\nROOT hip\n'),
+      }
+      await visit.page.setInputFiles('#file', file)
+      const state = await visit.until((now) => now.notice !== '')
+      assert.match(state.notice, /broken\.bvh:\d+:\d+: found/)
+      assert.deepEqual(state.plan, first.plan)
     }))
 
   it('that are no scene are refused with a sentence', () =>
