@@ -24,7 +24,8 @@ namespace {
 std::string sentenceOf(std::string clause) {
   if (clause.empty()) return clause;
   if (clause[0] >= 'a' && clause[0] <= 'z') clause[0] = static_cast<char>(clause[0] - 'a' + 'A');
-  return clause + ".";
+  clause += '.';
+  return clause;
 }
 
 }  // namespace
@@ -35,7 +36,8 @@ std::string statusSentence(const AppState& state) {
   if (!state.plan) return "Planning the walk.";
   const PlanReport& report = state.plan->report;
   if (report.status == PlanStatus::kArrived) {
-    const std::string note = report.explanation.empty() ? "" : " " + sentenceOf(report.explanation);
+    const std::string note =
+        report.explanation.empty() ? "" : fmt::format(" {}", sentenceOf(report.explanation));
     return fmt::format("Arrives after {:.1f} m in {:.1f} s.{}", report.motionLengthMetres,
                        report.durationSeconds, note);
   }
