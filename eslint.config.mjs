@@ -16,7 +16,7 @@ export default [
     },
   },
   {
-    files: ['wasm_bindings/*.mjs', 'tests/**/*.mjs', 'tools/**/*.mjs'],
+    files: ['wasm_bindings/*.mjs', 'tests/**/*.mjs', 'tools/**/*.mjs', 'examples/*.mjs'],
     languageOptions: { globals: { ...globals.nodeBuiltin, ...globals.browser } },
   },
   {

@@ -41,7 +41,8 @@ int runGait(const std::string& folder) {
 }  // namespace
 
 void addGaitCommand(CLI::App& program, int& exitCode) {
-  CLI::App* command = program.add_subcommand("gait", "Write the synthesised default clips as BVH, and where they come from");
+  CLI::App* command =
+      program.add_subcommand("gait", "Write the synthesised default clips as BVH, and where they come from");
   auto folder = std::make_shared<std::string>();
   command->add_option("-o,--output", *folder, "Folder to write to")->required();
   command->callback([folder, &exitCode] { exitCode = runGait(*folder); });
