@@ -1,8 +1,8 @@
 # Dear ImGui with its GLFW and OpenGL 3 backends, from source: WebAssembly needs its own build. ./run setup
 # unpacks Debian's source package into STRIDEGRAPH_IMGUI_DIR; elsewhere release 1.86 is fetched.
 set(STRIDEGRAPH_IMGUI_DIR ${PROJECT_SOURCE_DIR}/.cache/imgui CACHE PATH "Sources of Dear ImGui")
-if(NOT EMSCRIPTEN AND NOT EXISTS ${STRIDEGRAPH_IMGUI_DIR}/imgui.cpp)
-  return() # The page alone needs it.
+if(NOT EMSCRIPTEN AND NOT STRIDEGRAPH_DESKTOP)
+  return() # The app alone needs it.
 endif()
 if(NOT EXISTS ${STRIDEGRAPH_IMGUI_DIR}/imgui.cpp)
   FetchContent_Declare(imgui GIT_REPOSITORY https://github.com/ocornut/imgui.git
