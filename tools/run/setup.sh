@@ -6,7 +6,7 @@
 nativePackages=(
   g++ cmake ninja-build ccache libeigen3-dev libfmt-dev libexpected-dev nlohmann-json3-dev libfast-float-dev
   libflatbuffers-dev flatbuffers-compiler libtinygltf-dev libcli11-dev libgtest-dev)
-webPackages=(emscripten fonts-inter)
+webPackages=(emscripten fonts-inter xz-utils)
 testPackages=(chromium clang-format shellcheck python3-numpy)
 tidyPackages=(clang-tidy)
 
