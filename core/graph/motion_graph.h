@@ -42,4 +42,19 @@ struct MotionGraph {
   std::size_t transitionCount() const { return edges.size() - clipPieceCount(); }
 };
 
+/// What an edge plays, told by frames of the library alone, so that it needs no graph to be played.
+struct MotionPiece {
+  EdgeKind kind = EdgeKind::kClipPiece;
+  FrameIndex from;
+  FrameIndex to;
+  std::uint32_t frames = 0;  ///< This and the following as in MotionEdge.
+  std::uint32_t sourceSpan = 0;
+  std::uint32_t targetSpan = 0;
+  float distanceMetres = 0.0F;
+};
+
+MotionPiece pieceOf(const MotionGraph& graph, const MotionEdge& edge);
+/// Frames from..to of one clip, from <= to.
+MotionPiece clipPiece(FrameIndex from, FrameIndex to);
+
 }  // namespace stridegraph

@@ -8,10 +8,10 @@
 
 namespace stridegraph {
 
-/// A stretch of one edge of the graph. An edge of n frames has positions 0 (its `from` node) to n (its `to`
-/// node).
+/// A stretch of a piece of the library. A piece of n frames has positions 0 (its `from` frame) to n (its `to`
+/// frame).
 struct WalkStep {
-  EdgeIndex edge;
+  MotionPiece piece;
   std::uint32_t begin = 0;  ///< Position that the walk has when the step begins; not shown again.
   std::uint32_t end = 0;    ///< Position after the step, >= begin.
 };

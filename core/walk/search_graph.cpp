@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "base/check.h"
-#include "walk/edge_motion.h"
+#include "walk/piece_motion.h"
 
 namespace stridegraph {
 namespace {
@@ -52,7 +52,7 @@ struct SearchGraph::Builder {
         graph.samples_.push_back(point.cast<float>());
         before = point;
       }
-      graph.steps_.push_back({EdgeIndex(edgeIndex), begin, edge.frames});
+      graph.steps_.push_back({pieceOf(library.graph, edge), begin, edge.frames});
       if (edge.kind == EdgeKind::kTransition) {
         ++way.transitions;
         way.transitionDistanceMetres += static_cast<double>(edge.distanceMetres);
@@ -75,7 +75,7 @@ struct SearchGraph::Builder {
     const MotionGraph& motion = library.graph;
     STRIDEGRAPH_CHECK(!motion.nodes.empty());
     tracks.reserve(motion.edges.size());
-    for (const MotionEdge& edge : motion.edges) tracks.push_back(edgeTrack(library, edge));
+    for (const MotionEdge& edge : motion.edges) tracks.push_back(pieceTrack(library, pieceOf(motion, edge)));
     for (const std::vector<FloorTransform>& track : tracks) graph.ends_.push_back(track.back());
     findDecisions();
     for (const std::uint32_t node : decisions) {

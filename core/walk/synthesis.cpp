@@ -1,29 +1,29 @@
 #include "walk/synthesis.h"
 
 #include "base/check.h"
-#include "walk/edge_motion.h"
+#include "walk/piece_motion.h"
 
 namespace stridegraph {
 namespace {
 
 /// Appends a frame of `poses`, brought into the room.
-void appendPlaced(const Clip& poses, std::size_t frame, const FloorTransform& roomFromEdge, Clip& walk) {
+void appendPlaced(const Clip& poses, std::size_t frame, const FloorTransform& roomFromPiece, Clip& walk) {
   walk.append(poses.pose(frame));
   const std::size_t last = walk.frameCount() - 1;
-  walk.rootPositions[last] = roomFromEdge.apply(poses.rootPositions[frame]);
+  walk.rootPositions[last] = roomFromPiece.apply(poses.rootPositions[frame]);
   Quat& root = walk.rotationsOf(last)[0];
-  root = (roomFromEdge.heading.rotation() * root).normalized();
+  root = (roomFromPiece.heading.rotation() * root).normalized();
 }
 
-/// Contacts at a position on an edge: of the captured frame there, and in a blend of the clip that weighs
+/// Contacts at a position on a piece: of the captured frame there, and in a blend of the clip that weighs
 /// more.
-ContactMask contactsAt(const MotionLibrary& library, const MotionEdge& edge, std::uint32_t position) {
-  const std::uint32_t from = library.graph.nodes[edge.from.value].value;
-  const std::uint32_t to = library.graph.nodes[edge.to.value].value;
-  if (edge.kind == EdgeKind::kClipPiece) return library.contacts[from + position];
-  const std::uint32_t left = edge.frames - position;
-  return 2 * position < edge.frames ? library.contacts[from + position * edge.sourceSpan / edge.frames]
-                                    : library.contacts[to - left * edge.targetSpan / edge.frames];
+ContactMask contactsAt(const MotionLibrary& library, const MotionPiece& piece, std::uint32_t position) {
+  const std::uint32_t from = piece.from.value;
+  const std::uint32_t to = piece.to.value;
+  if (piece.kind == EdgeKind::kClipPiece) return library.contacts[from + position];
+  const std::uint32_t left = piece.frames - position;
+  return 2 * position < piece.frames ? library.contacts[from + position * piece.sourceSpan / piece.frames]
+                                     : library.contacts[to - left * piece.targetSpan / piece.frames];
 }
 
 }  // namespace
@@ -35,20 +35,20 @@ SynthesisedWalk synthesise(const MotionLibrary& library, const MotionPath& path)
   walk.clip.jointCount = library.skeleton.size();
   FloorTransform placement = path.start;
   for (const WalkStep& step : path.steps) {
-    const MotionEdge& edge = library.graph.edges[step.edge.value];
-    const std::vector<FloorTransform> track = edgeTrack(library, edge);
-    const Clip poses = edgePoses(library, edge);
-    const FloorTransform atEdgeStart = placement * track[step.begin].inverse();
-    const FloorTransform roomFromEdge = placeEdge(library, edge, atEdgeStart);
+    const MotionPiece& piece = step.piece;
+    const std::vector<FloorTransform> track = pieceTrack(library, piece);
+    const Clip poses = piecePoses(library, piece);
+    const FloorTransform atPieceStart = placement * track[step.begin].inverse();
+    const FloorTransform roomFromPiece = placePiece(library, piece, atPieceStart);
     // The frame at `begin` was shown by the step before, except at the very beginning.
     const std::uint32_t first = walk.clip.frameCount() == 0 ? step.begin : step.begin + 1;
     for (std::uint32_t p = first; p <= step.end; ++p) {
-      appendPlaced(poses, p, roomFromEdge, walk.clip);
-      const bool blended = edge.kind == EdgeKind::kTransition && p > 0 && p < edge.frames;
+      appendPlaced(poses, p, roomFromPiece, walk.clip);
+      const bool blended = piece.kind == EdgeKind::kTransition && p > 0 && p < piece.frames;
       walk.frameKinds.push_back(blended ? EdgeKind::kTransition : EdgeKind::kClipPiece);
-      walk.contacts.push_back(contactsAt(library, edge, p));
+      walk.contacts.push_back(contactsAt(library, piece, p));
     }
-    placement = atEdgeStart * track[step.end];
+    placement = atPieceStart * track[step.end];
   }
   return walk;
 }

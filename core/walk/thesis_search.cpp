@@ -94,15 +94,17 @@ class Traversal {
   }
 
   MotionPath pathTo(std::uint32_t id) const {
+    const MotionGraph& graph = query_.library.graph;
     MotionPath path;
     for (; states_[id].parent != kNoParent; id = states_[id].parent) {
-      path.steps.push_back({states_[id].via, 0, query_.library.graph.edges[states_[id].via.value].frames});
+      const MotionPiece piece = pieceOf(graph, graph.edges[states_[id].via.value]);
+      path.steps.push_back({piece, 0, piece.frames});
     }
     path.start = states_[id].placement;
     std::reverse(path.steps.begin(), path.steps.end());
     if (path.steps.empty()) {
       // The start lies within reach of the goal: the walk is the first pose alone.
-      path.steps.push_back({EdgeIndex(query_.library.graph.firstEdge[states_[id].node]), 0, 0});
+      path.steps.push_back({pieceOf(graph, graph.edges[graph.firstEdge[states_[id].node]]), 0, 0});
     }
     return path;
   }

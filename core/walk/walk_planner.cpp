@@ -173,10 +173,9 @@ class Planning {
 
   /// Notes which frames of the library a step plays: a clip piece may be entered and left on its way.
   void noteEdge(const WalkStep& step) {
-    const MotionEdge& edge = library_.graph.edges[step.edge.value];
-    FrameIndex from = library_.graph.nodes[edge.from.value];
-    FrameIndex to = library_.graph.nodes[edge.to.value];
-    if (edge.kind == EdgeKind::kClipPiece) {
+    FrameIndex from = step.piece.from;
+    FrameIndex to = step.piece.to;
+    if (step.piece.kind == EdgeKind::kClipPiece) {
       to = FrameIndex(std::size_t{from.value + step.end});
       from = FrameIndex(std::size_t{from.value + step.begin});
     } else {

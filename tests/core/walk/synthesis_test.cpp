@@ -10,12 +10,15 @@ namespace {
 using testing::kStepMetres;
 using testing::threeArcs;
 
+MotionPiece pieceOfEdge(std::size_t edge) {
+  const MotionGraph graph = threeArcs().graph;
+  return pieceOf(graph, graph.edges[edge]);
+}
+
 /// Straight piece, over to the left turn, its piece.
 MotionPath turnLeft() {
   return {{{2, 3}, Heading::fromAngle(Angle::degrees(90))},
-          {{EdgeIndex(std::size_t{0}), 4, 12},
-           {EdgeIndex(std::size_t{2}), 0, 12},
-           {EdgeIndex(std::size_t{4}), 0, 6}}};
+          {{pieceOfEdge(0), 4, 12}, {pieceOfEdge(2), 0, 12}, {pieceOfEdge(4), 0, 6}}};
 }
 
 TEST(Synthesise, beginsAtTheStartFacingAsAsked) {
@@ -53,7 +56,7 @@ TEST(Synthesise, leavesCapturedFramesAsTheyAre) {
 }
 
 TEST(Synthesise, ofAStepWithoutFramesIsTheFirstPose) {
-  const SynthesisedWalk walk = synthesise(threeArcs(), {{}, {{EdgeIndex(std::size_t{0}), 3, 3}}});
+  const SynthesisedWalk walk = synthesise(threeArcs(), {{}, {{pieceOfEdge(0), 3, 3}}});
   EXPECT_EQ(walk.clip.frameCount(), 1U);
 }
 

@@ -1,4 +1,4 @@
-#include "walk/edge_motion.h"
+#include "walk/piece_motion.h"
 
 #include <gtest/gtest.h>
 
@@ -10,18 +10,19 @@ namespace {
 using testing::kStepMetres;
 using testing::threeArcs;
 
-TEST(EdgeTrack, ofAStraightClipPieceGoesForward) {
+TEST(PieceTrack, ofAStraightClipPieceGoesForward) {
   const MotionLibrary library = threeArcs();
-  const std::vector<FloorTransform> track = edgeTrack(library, library.graph.edges[0]);
+  const std::vector<FloorTransform> track =
+      pieceTrack(library, pieceOf(library.graph, library.graph.edges[0]));
   ASSERT_EQ(track.size(), 13U);
   EXPECT_LT(track[0].translation.norm(), 1e-12);
   EXPECT_TRUE(track[12].translation.isApprox(Vec2(0, 12 * kStepMetres), 1e-9));
 }
 
-TEST(EdgeTrack, startsAtTheIdentityAndMovesOneStepAFrameOnEveryEdge) {
+TEST(PieceTrack, startsAtTheIdentityAndMovesOneStepAFrameOnEveryEdge) {
   const MotionLibrary library = threeArcs();
   for (const MotionEdge& edge : library.graph.edges) {
-    const std::vector<FloorTransform> track = edgeTrack(library, edge);
+    const std::vector<FloorTransform> track = pieceTrack(library, pieceOf(library.graph, edge));
     ASSERT_EQ(track.size(), edge.frames + 1);
     EXPECT_LT(track[0].translation.norm(), 1e-12);
     EXPECT_NEAR(track[0].heading.cos, 1.0, 1e-12);
@@ -31,33 +32,34 @@ TEST(EdgeTrack, startsAtTheIdentityAndMovesOneStepAFrameOnEveryEdge) {
   }
 }
 
-TEST(EdgeTrack, ofATransitionTurnsFromTheOneRateToTheOther) {
+TEST(PieceTrack, ofATransitionTurnsFromTheOneRateToTheOther) {
   const MotionLibrary library = threeArcs();
   const MotionEdge& straightToLeft = library.graph.edges[2];
-  const double turned = edgeTrack(library, straightToLeft).back().heading.angle().degrees();
+  const double turned =
+      pieceTrack(library, pieceOf(library.graph, straightToLeft)).back().heading.angle().degrees();
   EXPECT_GT(turned, 15.0);
   EXPECT_LT(turned, 30.0);
 }
 
-TEST(EdgePoses, lieOnTheEdgesTrackOncePlaced) {
+TEST(PiecePoses, lieOnTheEdgesTrackOncePlaced) {
   const MotionLibrary library = threeArcs();
   const FloorTransform placement{{3, 4}, Heading::fromAngle(Angle::degrees(70))};
   for (const MotionEdge& edge : library.graph.edges) {
-    const std::vector<FloorTransform> track = edgeTrack(library, edge);
-    const Clip poses = edgePoses(library, edge);
-    const FloorTransform roomFromEdge = placeEdge(library, edge, placement);
+    const std::vector<FloorTransform> track = pieceTrack(library, pieceOf(library.graph, edge));
+    const Clip poses = piecePoses(library, pieceOf(library.graph, edge));
+    const FloorTransform roomFromPiece = placePiece(library, pieceOf(library.graph, edge), placement);
     ASSERT_EQ(poses.frameCount(), track.size());
     for (std::size_t p = 0; p < track.size(); ++p) {
-      const Vec2 root = onFloor(roomFromEdge.apply(poses.rootPositions[p]));
+      const Vec2 root = onFloor(roomFromPiece.apply(poses.rootPositions[p]));
       EXPECT_LT((root - placement * track[p].translation).norm(), 1e-9);
     }
   }
 }
 
-TEST(EdgePoses, ofATransitionBeginAndEndWithTheCapturedPoses) {
+TEST(PiecePoses, ofATransitionBeginAndEndWithTheCapturedPoses) {
   const MotionLibrary library = threeArcs();
   const MotionEdge& edge = library.graph.edges[2];
-  const Clip poses = edgePoses(library, edge);
+  const Clip poses = piecePoses(library, pieceOf(library.graph, edge));
   const PoseView from = library.frames.pose(library.graph.nodes[edge.from.value].value);
   const PoseView to = library.frames.pose(library.graph.nodes[edge.to.value].value);
   EXPECT_LT(angleBetween(poses.pose(0).rotations[1], from.rotations[1]).radians(), 1e-6);
