@@ -23,6 +23,7 @@ struct PlanArguments {
   double radiusMetres = 0.0;
   std::string planner = "prm";
   std::string search = "guided";
+  bool movingEnds = false;
   PlanOptions options;
 };
 
@@ -100,8 +101,10 @@ void addPlanCommand(CLI::App& program, int& exitCode) {
                                             "Of the body's disc, metres, instead of the scene's");
   command
       ->add_option("--goal-radius", arguments->options.goalRadiusMetres,
-                   "Arrived when this near the goal, metres")
+                   "How near the goal the search has to come, metres")
       ->capture_default_str();
+  command->add_flag("--moving-ends", arguments->movingEnds,
+                    "Begin and end in motion even where the library can stand");
   command->add_option("--planner", arguments->planner)
       ->check(CLI::IsMember({"prm", "rrt-connect"}))
       ->capture_default_str();
@@ -117,6 +120,7 @@ void addPlanCommand(CLI::App& program, int& exitCode) {
     PlanOptions& options = arguments->options;
     if (seed->count() > 0) options.seed = arguments->seed;
     if (radius->count() > 0) options.radiusMetres = arguments->radiusMetres;
+    options.standing = !arguments->movingEnds;
     options.planner = *plannerFromName(arguments->planner);
     options.search = *searchFromName(arguments->search);
     options.clock = millisecondsNow;

@@ -64,6 +64,7 @@ Result<PlanOptions> readPlanOptions(const val& options) {
   if (const auto seed = reader.wholeNumber("seed")) read.seed = static_cast<std::uint64_t>(*seed);
   read.radiusMetres = reader.number("radius");
   read.goalRadiusMetres = reader.number("goalRadius").value_or(read.goalRadiusMetres);
+  read.standing = reader.flag("standing").value_or(read.standing);
   read.subgoalSpacingMetres = reader.number("subgoalSpacing").value_or(read.subgoalSpacingMetres);
   read.budgetMilliseconds = reader.number("budgetMs").value_or(read.budgetMilliseconds);
   const std::string planners =

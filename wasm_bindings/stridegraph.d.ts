@@ -55,8 +55,11 @@ export interface PlanOptions {
   seed?: number
   /** Instead of the scene's, metres, 0.05..5. */
   radius?: number
-  /** The walk has arrived when the root is this near the goal, metres, 0.01..5; 0.1 when missing. */
+  /** How near the goal the search has to come, metres, 0.01..5; 0.1 when missing. The end of the walk is then
+   * bent to arrive exactly. */
   goalRadius?: number
+  /** Begin and end with a standing body where the library can; true when missing. */
+  standing?: boolean
   planner?: 'prm' | 'rrt-connect'
   search?: 'guided' | 'thesis'
   /** Metres between subgoals of the thesis search, 0.2..20; 2 when missing. */
@@ -92,6 +95,14 @@ export interface PlanReport {
   /** Smallest distance of the disc's rim to anything along the walk. */
   clearance_m: number
   foot_skate_cm_s: number
+  /** From the last root to the goal, over the floor. */
+  arrival_error_m: number
+  /** From the last facing to the heading asked for at the goal, if any was. */
+  arrival_heading_error_deg?: number
+  /** How the end of the walk was bent to arrive: over its last metres, at most so much. */
+  arrival_warp: { last_m: number; stretch: number; deg_per_m: number }
+  starts_standing: boolean
+  ends_standing: boolean
   library_hash: string
   [member: string]: unknown
 }

@@ -94,4 +94,10 @@ Vec3 FloorTransform::apply(const Vec3& point) const {
   return {floor.x(), point.y(), floor.y()};
 }
 
+double quarterTurns(const Heading& heading) {
+  const double p = heading.sin / (std::abs(heading.sin) + std::abs(heading.cos));
+  if (heading.cos < 0.0) return 2.0 - p;
+  return p < 0.0 ? 4.0 + p : p;
+}
+
 }  // namespace stridegraph

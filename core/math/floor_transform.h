@@ -30,6 +30,10 @@ struct Heading {
   Quat rotation() const;
 };
 
+/// Rises from 0 to 4 as a heading turns once around from +z, without trigonometry: not evenly, but by 1 in
+/// each quarter.
+double quarterTurns(const Heading& heading);
+
 /// The heading `fraction` of the way from one to the other along the shorter arc, by normalised linear
 /// interpolation: within 2e-4 rad of the arc's own division for turns below 0.2 rad.
 Heading blend(const Heading& from, const Heading& to, double fraction);

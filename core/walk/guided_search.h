@@ -1,16 +1,9 @@
 #pragma once
 
 #include "walk/motion_search.h"
+#include "walk/walk_cost.h"
 
 namespace stridegraph {
-
-/// What a walk costs, in metres: its length, and what else we would walk further to avoid.
-struct WalkCost {
-  double perSecond = 0.05;          ///< Standing about is not free.
-  double perTransition = 0.1;       ///< Else three quarters of all frames would be blends.
-  double perTransitionMetre = 2.5;  ///< Times the transition's distance: good blends are preferred.
-  double seedVariation = 0.05;      ///< A way costs up to this share more, by seed: other seeds, other walks.
-};
 
 /// The strategy of one stage; the defaults are those of the first.
 struct GuidedStage {
@@ -31,7 +24,9 @@ struct GuidedSearchParams {
 /// Weighted A* over (node, place, heading) with every frame checked against the room, a cost-to-go that knows
 /// the room's geometry, and a memory of states reached before. Where the first stage finds nothing, others
 /// follow: with a turned start and finer cells when the open list ran empty, with a greedier search when its
-/// budget ran out. Says no motion only when a stage with fine cells has run through every state it can reach.
+/// budget ran out. A walk that comes to a stand, and faces as the goal asks, is sought first; where there is
+/// none, the standing and then the heading are given up. Says no motion only when a stage with fine cells has
+/// run through every state it can reach.
 MotionResult guidedSearch(const MotionQuery& query, const GuidedSearchParams& params = {});
 
 }  // namespace stridegraph

@@ -9,6 +9,7 @@
 
 #include "path/floor_plan.h"
 #include "scene/scene.h"
+#include "walk/arrivals.h"
 #include "walk/motion_path.h"
 #include "walk/search_graph.h"
 
@@ -24,14 +25,20 @@ std::optional<SearchKind> searchFromName(std::string_view name);
 struct MotionQuery {
   const MotionLibrary& library;
   const SearchGraph& graph;
+  const ArrivalTable& arrivals;
   const FloorPlan& plan;
   Placement start;  ///< Without a heading the search may choose one.
-  Vec2 goal;
-  double goalRadiusMetres = 0.1;  ///< The walk ends with the root this near the goal.
+  Placement goal;
+  double goalRadiusMetres = 0.1;  ///< The walk ends with the root this near the goal,
+  Angle goalTurn;                 ///< and turned at most so far from its heading, if it has one.
   std::span<const Vec2> path;     ///< From start to goal, at least two points.
   std::span<const Vec2>
-      subgoals;  ///< Along the path; the last one is the goal. Only the thesis search needs them.
+      subgoals;          ///< Along the path; the last one is the goal. Only the thesis search needs them.
+  bool standing = true;  ///< The walk begins and ends with a standing body where the library can.
   std::uint64_t seed = 1;
+  /// Whether a walk found will do; where it will not, the guided search looks at some more before it takes
+  /// the first. May be empty.
+  std::function<bool(const MotionPath&)> accepts;
   std::function<bool()> outOfTime;  ///< Asked now and then; true ends the search. May be empty.
 };
 

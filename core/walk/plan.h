@@ -14,6 +14,7 @@
 #include "motion/clip.h"
 #include "path/path_planner.h"
 #include "scene/scene.h"
+#include "walk/arrival_warp.h"
 #include "walk/motion_search.h"
 
 namespace stridegraph {
@@ -27,9 +28,10 @@ std::string_view planStatusName(PlanStatus status);
 struct PlanOptions {
   std::optional<std::uint64_t> seed;   ///< Instead of the scene's.
   std::optional<double> radiusMetres;  ///< Instead of the scene's; 0.05..5.
-  double goalRadiusMetres = 0.1;       ///< Arrived when the root is this near the goal, 0.01..5.
+  double goalRadiusMetres = 0.1;       ///< Tolerance of the search; the end is bent to the goal; 0.01..5.
   PlannerKind planner = PlannerKind::kPrm;
   SearchKind search = SearchKind::kGuided;
+  bool standing = true;               ///< Begin and end with a standing body where the library can.
   double subgoalSpacingMetres = 2.0;  ///< Of the thesis search (5.5), 0.2..20.
   double budgetMilliseconds = 0.0;    ///< For the motion search; 0 means no limit in time.
   MillisecondClock clock;             ///< For timings and the budget.
@@ -59,6 +61,11 @@ struct PlanReport {
       edges;                     ///< Library frames at both ends of every edge played.
   double clearanceMetres = 0.0;  ///< Smallest, of the disc's rim, along the walk; negative when it collides.
   double footSkateCmPerSecond = 0.0;
+  double arrivalErrorMetres = 0.0;           ///< From the last root to the goal, over the floor.
+  std::optional<Angle> arrivalHeadingError;  ///< From the last facing to the goal's heading, if it has one.
+  ArrivalWarp arrivalWarp;                   ///< How the walk's end was bent to get there.
+  bool startsStanding = false;
+  bool endsStanding = false;
   std::uint64_t libraryHash = 0;
 };
 
@@ -88,6 +95,7 @@ class WalkPlanner {
  private:
   std::shared_ptr<const MotionLibrary> library_;
   SearchGraph graph_;
+  ArrivalTable arrivals_;
 };
 
 /// The report as the JSON object of DESIGN, section 4.

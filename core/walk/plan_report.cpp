@@ -30,6 +30,13 @@ std::string toJson(const PlanReport& report) {
   json["edges"] = std::move(edges);
   json["clearance_m"] = report.clearanceMetres;
   json["foot_skate_cm_s"] = report.footSkateCmPerSecond;
+  json["arrival_error_m"] = report.arrivalErrorMetres;
+  if (report.arrivalHeadingError) json["arrival_heading_error_deg"] = report.arrivalHeadingError->degrees();
+  json["arrival_warp"] = {{"last_m", report.arrivalWarp.metres},
+                          {"stretch", report.arrivalWarp.stretch},
+                          {"deg_per_m", report.arrivalWarp.turnPerMetre.degrees()}};
+  json["starts_standing"] = report.startsStanding;
+  json["ends_standing"] = report.endsStanding;
   json["library_hash"] = hexDigits(report.libraryHash);
   return json.dump(1);
 }

@@ -1,101 +1,173 @@
 #include "walk/search_graph.h"
 
-#include <limits>
+#include <algorithm>
 
 #include "base/check.h"
 #include "walk/piece_motion.h"
+#include "walk/standing.h"
 
 namespace stridegraph {
 namespace {
 
-constexpr std::uint32_t kNotADecision = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t kNone = SearchEdge::kNone;
 
 /// Only every second frame is offered as a first one: neighbours start walks that hardly differ.
 constexpr std::uint32_t kStartStride = 2;
 
+/// A walk that begins with standing shows the body stand for so many frames more.
+constexpr std::uint32_t kStandsOn = 4;
+
+/// A piece with its track and where it leads.
+struct Link {
+  MotionPiece piece;
+  std::vector<FloorTransform> track;
+  std::uint32_t to = kNone;  ///< Node of the library's graph, or kNone behind the last node of a clip.
+};
+
 }  // namespace
 
-struct SearchGraph::Builder {
-  const MotionLibrary& library;
-  SearchGraph& graph;
-  std::vector<std::vector<FloorTransform>> tracks;
-  std::vector<std::uint32_t> decisionOf;  ///< Library node -> decision node.
-  std::vector<std::uint32_t> decisions;   ///< Decision node -> library node.
+class SearchGraphBuilder {
+ public:
+  SearchGraphBuilder(const MotionLibrary& library, SearchGraph& graph)
+      : library_(library), graph_(graph), standing_(standingFrames(library)) {}
 
-  void findDecisions() {
-    const MotionGraph& motion = library.graph;
-    decisionOf.assign(motion.nodes.size(), kNotADecision);
-    for (std::size_t n = 0; n < motion.nodes.size(); ++n) {
-      if (motion.firstEdge[n + 1] - motion.firstEdge[n] < 2) continue;
-      decisionOf[n] = static_cast<std::uint32_t>(decisions.size());
-      decisions.push_back(static_cast<std::uint32_t>(n));
+  void build() {
+    STRIDEGRAPH_CHECK(!library_.graph.nodes.empty());
+    addEdges();
+    addRunsOut();
+    findDecisions();
+    for (const std::uint32_t node : decisions_) {
+      graph_.firstEdge_.push_back(static_cast<std::uint32_t>(graph_.edges_.size()));
+      for (const std::uint32_t link : linksFrom_[node]) graph_.edges_.push_back(follow(links_[link], 0));
     }
-    if (!decisions.empty()) return;
-    // A graph that is one loop offers no choice; its first node serves as the place where the loop closes.
-    decisionOf[0] = 0;
-    decisions.push_back(0);
+    graph_.firstEdge_.push_back(static_cast<std::uint32_t>(graph_.edges_.size()));
+    for (const SearchEdge& edge : graph_.edges_) {
+      graph_.canEndStanding_ = graph_.canEndStanding_ || edge.settledSample != kNone;
+    }
+    addStarts();
   }
 
-  /// Follows the graph from a position on an edge to the next decision.
-  SearchEdge follow(std::uint32_t edgeIndex, std::uint32_t begin) {
+ private:
+  void addLink(const MotionPiece& piece, std::uint32_t to) {
+    links_.push_back({piece, pieceTrack(library_, piece), to});
+  }
+
+  void addEdges() {
+    const MotionGraph& motion = library_.graph;
+    linksFrom_.resize(motion.nodes.size());
+    for (const MotionEdge& edge : motion.edges) {
+      linksFrom_[edge.from.value].push_back(static_cast<std::uint32_t>(links_.size()));
+      addLink(pieceOf(motion, edge), edge.to.value);
+      graph_.ends_.push_back(links_.back().track.back());
+    }
+  }
+
+  /// Behind the last node of each clip, as far as the first frame where the body has come to a stand.
+  void addRunsOut() {
+    const std::vector<FrameIndex>& nodes = library_.graph.nodes;
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+      const LibraryClip& clip = library_.clipOf(nodes[n]);
+      const std::uint32_t end = clip.firstFrame + clip.frameCount;
+      if (n + 1 < nodes.size() && nodes[n + 1].value < end) continue;
+      std::uint32_t settled = nodes[n].value + 1;
+      while (settled < end && standing_[settled] != Standing::kSettled) ++settled;
+      if (settled >= end) continue;
+      linksFrom_[n].push_back(static_cast<std::uint32_t>(links_.size()));
+      addLink(clipPiece(nodes[n], FrameIndex(std::size_t{settled})), kNone);
+    }
+  }
+
+  void findDecisions() {
+    decisionOf_.assign(linksFrom_.size(), kNone);
+    for (std::size_t n = 0; n < linksFrom_.size(); ++n) {
+      if (linksFrom_[n].size() < 2) continue;
+      decisionOf_[n] = static_cast<std::uint32_t>(decisions_.size());
+      decisions_.push_back(static_cast<std::uint32_t>(n));
+    }
+    if (!decisions_.empty()) return;
+    // A graph that is one loop offers no choice; its first node serves as the place where the loop closes.
+    decisionOf_[0] = 0;
+    decisions_.push_back(0);
+  }
+
+  /// Follows a link from a position on it, and what comes after, to the next decision.
+  SearchEdge follow(const Link& first, std::uint32_t begin) {
     SearchEdge way;
-    way.firstSample = static_cast<std::uint32_t>(graph.samples_.size());
-    way.firstStep = static_cast<std::uint32_t>(graph.steps_.size());
-    FloorTransform wayFromEdge = tracks[edgeIndex][begin].inverse();
-    Vec2 before = Vec2::Zero();
+    way.firstSample = static_cast<std::uint32_t>(graph_.samples_.size());
+    way.firstStep = static_cast<std::uint32_t>(graph_.steps_.size());
+    FloorTransform wayFromLink = first.track[begin].inverse();
+    const Link* link = &first;
     for (;;) {
-      const MotionEdge& edge = library.graph.edges[edgeIndex];
-      const std::vector<FloorTransform>& track = tracks[edgeIndex];
-      for (std::uint32_t p = begin + 1; p <= edge.frames; ++p) {
-        const Vec2 point = wayFromEdge * track[p].translation;
-        way.lengthMetres += (point - before).norm();
-        graph.samples_.push_back(point.cast<float>());
-        before = point;
-      }
-      graph.steps_.push_back({pieceOf(library.graph, edge), begin, edge.frames});
-      if (edge.kind == EdgeKind::kTransition) {
+      appendSamples(*link, begin, wayFromLink, way);
+      graph_.steps_.push_back({link->piece, begin, link->piece.frames});
+      if (link->piece.kind == EdgeKind::kTransition) {
         ++way.transitions;
-        way.transitionDistanceMetres += static_cast<double>(edge.distanceMetres);
+        way.transitionDistanceMetres += static_cast<double>(link->piece.distanceMetres);
       }
-      way.end = wayFromEdge * track[edge.frames];
-      if (decisionOf[edge.to.value] != kNotADecision) {
-        way.to = decisionOf[edge.to.value];
-        break;
-      }
-      wayFromEdge = way.end;
-      edgeIndex = library.graph.firstEdge[edge.to.value];
+      way.end = wayFromLink * link->track[link->piece.frames];
+      way.to = link->to == kNone ? kNone : decisionOf_[link->to];
+      if (way.to != kNone || link->to == kNone) break;
+      wayFromLink = way.end;
+      link = &links_[linksFrom_[link->to].front()];
       begin = 0;
     }
-    way.sampleCount = static_cast<std::uint32_t>(graph.samples_.size()) - way.firstSample;
-    way.stepCount = static_cast<std::uint32_t>(graph.steps_.size()) - way.firstStep;
+    way.sampleCount = static_cast<std::uint32_t>(graph_.samples_.size()) - way.firstSample;
+    way.stepCount = static_cast<std::uint32_t>(graph_.steps_.size()) - way.firstStep;
     return way;
   }
 
-  void build() {
-    const MotionGraph& motion = library.graph;
-    STRIDEGRAPH_CHECK(!motion.nodes.empty());
-    tracks.reserve(motion.edges.size());
-    for (const MotionEdge& edge : motion.edges) tracks.push_back(pieceTrack(library, pieceOf(motion, edge)));
-    for (const std::vector<FloorTransform>& track : tracks) graph.ends_.push_back(track.back());
-    findDecisions();
-    for (const std::uint32_t node : decisions) {
-      graph.firstEdge_.push_back(static_cast<std::uint32_t>(graph.edges_.size()));
-      for (std::uint32_t e = motion.firstEdge[node]; e < motion.firstEdge[node + 1]; ++e) {
-        graph.edges_.push_back(follow(e, 0));
+  void appendSamples(const Link& link, std::uint32_t begin, const FloorTransform& wayFromLink,
+                     SearchEdge& way) {
+    Vec2 before = wayFromLink * link.track[begin].translation;
+    for (std::uint32_t p = begin + 1; p <= link.piece.frames; ++p) {
+      const FloorTransform placement = wayFromLink * link.track[p];
+      way.lengthMetres += (placement.translation - before).norm();
+      before = placement.translation;
+      if (way.settledSample == kNone && link.piece.kind == EdgeKind::kClipPiece &&
+          standing_[link.piece.from.value + p] == Standing::kSettled) {
+        way.settledSample = static_cast<std::uint32_t>(graph_.samples_.size()) - way.firstSample;
+        way.settledEnd = placement;
       }
-    }
-    graph.firstEdge_.push_back(static_cast<std::uint32_t>(graph.edges_.size()));
-    for (std::uint32_t e = 0; e < motion.edges.size(); ++e) {
-      if (motion.edges[e].kind != EdgeKind::kClipPiece) continue;
-      for (std::uint32_t p = 0; p < motion.edges[e].frames; p += kStartStride) {
-        graph.starts_.push_back(follow(e, p));
-      }
+      graph_.samples_.push_back(placement.translation.cast<float>());
+      graph_.headings_.push_back(placement.heading.direction().cast<float>());
     }
   }
+
+  void addStartsOn(const Link& link) {
+    for (std::uint32_t p = 0; p < link.piece.frames; p += kStartStride) {
+      const std::uint32_t later = std::min(p + kStandsOn, link.piece.frames);
+      const bool stands = standing_[link.piece.from.value + p] != Standing::kNo &&
+                          standing_[link.piece.from.value + later] != Standing::kNo;
+      graph_.starts_.push_back({follow(link, p), stands});
+      graph_.canStartStanding_ = graph_.canStartStanding_ || stands;
+    }
+  }
+
+  void addStarts() {
+    const std::vector<FrameIndex>& nodes = library_.graph.nodes;
+    for (const Link& link : links_) {
+      if (link.piece.kind == EdgeKind::kClipPiece && link.to != kNone) addStartsOn(link);
+    }
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+      const std::size_t first = library_.clipOf(nodes[n]).firstFrame;
+      const bool isFirst = n == 0 || nodes[n - 1].value < first;
+      if (!isFirst || nodes[n].value == first) continue;
+      const MotionPiece runIn = clipPiece(FrameIndex(first), nodes[n]);
+      addStartsOn({runIn, pieceTrack(library_, runIn), static_cast<std::uint32_t>(n)});
+    }
+  }
+
+  const MotionLibrary& library_;
+  SearchGraph& graph_;
+  std::vector<Standing> standing_;
+  std::vector<Link> links_;
+  std::vector<std::vector<std::uint32_t>> linksFrom_;  ///< For each node of the library's graph.
+  std::vector<std::uint32_t> decisionOf_;              ///< Library node -> decision node.
+  std::vector<std::uint32_t> decisions_;               ///< Decision node -> library node.
 };
 
 SearchGraph::SearchGraph(const MotionLibrary& library) {
-  Builder{library, *this, {}, {}, {}}.build();
+  SearchGraphBuilder(library, *this).build();
 }
 
 std::span<const SearchEdge> SearchGraph::edgesFrom(std::size_t node) const {
@@ -104,6 +176,10 @@ std::span<const SearchEdge> SearchGraph::edgesFrom(std::size_t node) const {
 
 std::span<const Eigen::Vector2f> SearchGraph::samplesOf(const SearchEdge& edge) const {
   return std::span(samples_).subspan(edge.firstSample, edge.sampleCount);
+}
+
+std::span<const Eigen::Vector2f> SearchGraph::headingsOf(const SearchEdge& edge) const {
+  return std::span(headings_).subspan(edge.firstSample, edge.sampleCount);
 }
 
 std::span<const WalkStep> SearchGraph::stepsOf(const SearchEdge& edge) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -10,45 +11,69 @@
 
 namespace stridegraph {
 
-/// A run of library edges from one decision to the next, with its way over the floor.
+/// A run of pieces of the library from one decision to the next, with its way over the floor.
 struct SearchEdge {
-  std::uint32_t to = 0;           ///< Decision node reached.
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+  std::uint32_t to = 0;  ///< Decision node reached; kNone where the clip ends: a walk may only end there.
   std::uint32_t firstSample = 0;  ///< Into SearchGraph::samples: one for each frame shown.
   std::uint32_t sampleCount = 0;
-  std::uint32_t firstStep = 0;  ///< Into SearchGraph::steps: the library edges it runs along.
+  std::uint32_t firstStep = 0;  ///< Into SearchGraph::steps: the pieces it runs along.
   std::uint32_t stepCount = 0;
-  FloorTransform end;             ///< Placement at the end, relative to the placement at its beginning.
-  double lengthMetres = 0.0;      ///< Of the root's way over the floor.
-  std::uint32_t transitions = 0;  ///< Blends on it.
+  std::uint32_t settledSample = kNone;  ///< First sample at which the body has come to a stand.
+  FloorTransform settledEnd;            ///< Placement there, relative to the one at the edge's beginning.
+  FloorTransform end;                   ///< Placement at the end, relative to the placement at its beginning.
+  double lengthMetres = 0.0;            ///< Of the root's way over the floor.
+  std::uint32_t transitions = 0;        ///< Blends on it.
   double transitionDistanceMetres = 0.0;  ///< Sum of their distances.
 };
 
+/// A way to begin a walk.
+struct SearchStart {
+  SearchEdge edge;
+  bool stands = false;  ///< Its first frame shows a standing body.
+};
+
 /// A library prepared for searching: nodes with only one way on are passed over, and every way knows its
-/// track. Built once for a library; immutable.
+/// track. A walk may also begin with frames before the first node of their clip and end with frames behind
+/// the last one, where the body comes to a stand. Built once for a library; immutable.
 class SearchGraph {
  public:
   explicit SearchGraph(const MotionLibrary& library);
 
   std::size_t nodeCount() const { return firstEdge_.size() - 1; }
+  /// All ways between decision nodes, and their place in this list.
+  std::span<const SearchEdge> edges() const { return edges_; }
+  std::uint32_t indexOf(const SearchEdge& edge) const {
+    return static_cast<std::uint32_t>(&edge - edges_.data());
+  }
   /// Ways on from a decision node.
   std::span<const SearchEdge> edgesFrom(std::size_t node) const;
-  /// Ways to begin: from a captured frame of the graph (every second one) to the next decision node.
-  std::span<const SearchEdge> starts() const { return starts_; }
+  /// Ways to begin: from a captured frame (every second one) to the next decision node.
+  std::span<const SearchStart> starts() const { return starts_; }
   /// Floor points of the root for each frame shown, relative to the placement at the edge's beginning.
   std::span<const Eigen::Vector2f> samplesOf(const SearchEdge& edge) const;
-  /// The library edges along a way.
+  /// Where the body faces at each of these, as (sin, cos) relative to the beginning.
+  std::span<const Eigen::Vector2f> headingsOf(const SearchEdge& edge) const;
+  /// The pieces along a way.
   std::span<const WalkStep> stepsOf(const SearchEdge& edge) const;
   /// The placement at the end of a library edge, relative to the one at its beginning.
   const FloorTransform& endOf(EdgeIndex edge) const { return ends_[edge.value]; }
+  /// Whether a walk can begin, or end, with a standing body.
+  bool canStartStanding() const { return canStartStanding_; }
+  bool canEndStanding() const { return canEndStanding_; }
 
  private:
-  struct Builder;
+  friend class SearchGraphBuilder;
   std::vector<SearchEdge> edges_;
   std::vector<std::uint32_t> firstEdge_;
-  std::vector<SearchEdge> starts_;
+  std::vector<SearchStart> starts_;
   std::vector<Eigen::Vector2f> samples_;
+  std::vector<Eigen::Vector2f> headings_;
   std::vector<WalkStep> steps_;
   std::vector<FloorTransform> ends_;
+  bool canStartStanding_ = false;
+  bool canEndStanding_ = false;
 };
 
 }  // namespace stridegraph

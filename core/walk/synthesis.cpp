@@ -28,6 +28,16 @@ ContactMask contactsAt(const MotionLibrary& library, const MotionPiece& piece, s
 
 }  // namespace
 
+std::vector<FloorTransform> placementsAlong(const MotionLibrary& library, const MotionPath& path) {
+  std::vector<FloorTransform> placements = {path.start};
+  for (const WalkStep& step : path.steps) {
+    const std::vector<FloorTransform> track = pieceTrack(library, step.piece);
+    const FloorTransform atPieceStart = placements.back() * track[step.begin].inverse();
+    for (std::uint32_t p = step.begin + 1; p <= step.end; ++p) placements.push_back(atPieceStart * track[p]);
+  }
+  return placements;
+}
+
 SynthesisedWalk synthesise(const MotionLibrary& library, const MotionPath& path) {
   STRIDEGRAPH_CHECK(!path.steps.empty());
   SynthesisedWalk walk;

@@ -15,6 +15,9 @@ struct SynthesisedWalk {
   std::vector<ContactMask> contacts;  ///< One for each frame, bits as in MotionLibrary::contactJoints.
 };
 
+/// Placements (root on the floor, facing) of all frames that a path shows, in the room.
+std::vector<FloorTransform> placementsAlong(const MotionLibrary& library, const MotionPath& path);
+
 /// Turns a way through the graph into one clip: captured frames are moved over the floor and otherwise left
 /// alone, transitions are blended (eq. 5.5 to 5.10).
 SynthesisedWalk synthesise(const MotionLibrary& library, const MotionPath& path);

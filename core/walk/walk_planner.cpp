@@ -2,14 +2,26 @@
 
 #include <utility>
 
+#include "motion/transition_blend.h"
 #include "path/polyline.h"
 #include "scene/scene_json.h"
 #include "walk/plan.h"
+#include "walk/standing.h"
 #include "walk/synthesis.h"
 #include "walk/walk_measures.h"
 
 namespace stridegraph {
 namespace {
+
+/// A walk stands where its first or last so many steps show no more than swaying.
+constexpr std::size_t kStillFrames = 4;
+
+/// Nearer than this to the goal and its heading a walk is said to have arrived there.
+constexpr double kArrivedMetres = 0.02;
+constexpr double kArrivedDegrees = 3.0;
+
+/// How far the search may leave the walk turned from the heading asked for at the goal.
+constexpr Angle kGoalTurn = Angle::degrees(10.0);
 
 /// Milliseconds between two calls, by the clock handed in; 0 without one.
 class Stopwatch {
@@ -81,9 +93,14 @@ std::string explainPath(PlanStatus status, double radius) {
 /// One plan in the making: each stage fills in its part.
 class Planning {
  public:
-  Planning(const MotionLibrary& library, const SearchGraph& graph, const Scene& scene,
-           const PlanOptions& options)
-      : library_(library), graph_(graph), scene_(scene), options_(options), total_(options.clock) {
+  Planning(const MotionLibrary& library, const SearchGraph& graph, const ArrivalTable& arrivals,
+           const Scene& scene, const PlanOptions& options)
+      : library_(library),
+        graph_(graph),
+        arrivals_(arrivals),
+        scene_(scene),
+        options_(options),
+        total_(options.clock) {
     PlanReport& report = plan_.report;
     report.seed = options.seed.value_or(scene.seed);
     report.planner = options.planner;
@@ -124,13 +141,19 @@ class Planning {
     const MotionQuery query{
         library_,
         graph_,
+        arrivals_,
         floor,
         scene_.start,
-        scene_.goal.position,
+        scene_.goal,
         options_.goalRadiusMetres,
+        kGoalTurn,
         plan_.path,
         plan_.subgoals,
+        options_.standing,
         plan_.report.seed,
+        [&](const MotionPath& path) {
+          return bendToGoal(placementsAlong(library_, path), scene_.goal, floor).has_value();
+        },
         [&] { return options_.budgetMilliseconds > 0.0 && watch.elapsed() > options_.budgetMilliseconds; }};
     MotionResult found = searchMotion(options_.search, query);
     plan_.report.status = statusOf(found.status);
@@ -144,17 +167,40 @@ class Planning {
     const Stopwatch watch(options_.clock);
     SynthesisedWalk made = synthesise(library_, motion);
     PlanReport& report = plan_.report;
+    const std::vector<FloorTransform> way = placementsAlong(library_, motion);
+    if (report.search == SearchKind::kGuided) {
+      if (const std::optional<BentWay> bent = bendToGoal(way, scene_.goal, floor)) {
+        moveRoots(way, bent->placements, made.clip);
+        report.arrivalWarp = bent->warp;
+      }
+    }
     report.frames = made.clip.frameCount();
     report.durationSeconds = static_cast<double>(report.frames - 1) / made.clip.framesPerSecond;
     report.motionLengthMetres = rootPathLength(made.clip);
     report.clearanceMetres = smallestClearance(floor, made.clip);
     report.footSkateCmPerSecond = footSkate(library_.skeleton, made.clip, library_.contactJoints);
+    measureEnds(made.clip);
     report.explanation = caveats();
     for (const WalkStep& step : motion.steps) noteEdge(step);
     plan_.walk = std::move(made.clip);
     plan_.frameKinds = std::move(made.frameKinds);
     plan_.contacts = std::move(made.contacts);
     report.synthesisMilliseconds = watch.elapsed();
+  }
+
+  void measureEnds(const Clip& walk) {
+    PlanReport& report = plan_.report;
+    const FloorTransform last = rootPlacement(walk.pose(walk.frameCount() - 1));
+    report.arrivalErrorMetres = (last.translation - scene_.goal.position).norm();
+    if (scene_.goal.heading) {
+      const Heading facing = last.heading - library_.facingOffset;
+      report.arrivalHeadingError =
+          Angle::radians(std::abs((facing - Heading::fromAngle(*scene_.goal.heading)).angle().radians()));
+    }
+    const std::size_t end = walk.frameCount() - 1;
+    const std::size_t few = std::min(end, kStillFrames);
+    report.startsStanding = few > 0 && isStill(walk, 0, few);
+    report.endsStanding = few > 0 && isStill(walk, end - few, end);
   }
 
   /// What a walk that arrives leaves to be wished for, in sentences.
@@ -167,7 +213,15 @@ class Planning {
           -report.clearanceMetres, searchName(report.search)));
     }
     if (!scene_.moving.empty()) sentences.emplace_back("moving obstacles are not looked at yet");
-    if (scene_.goal.heading) sentences.emplace_back("the heading asked for at the goal is not sought yet");
+    if (report.arrivalErrorMetres > kArrivedMetres)
+      sentences.push_back(fmt::format("the walk ends {:.2f} m from the goal", report.arrivalErrorMetres));
+    if (report.arrivalHeadingError && report.arrivalHeadingError->degrees() > kArrivedDegrees)
+      sentences.push_back(fmt::format("it ends turned {:.0f} degrees from the heading asked for",
+                                      report.arrivalHeadingError->degrees()));
+    if (options_.standing && graph_.canStartStanding() && !report.startsStanding)
+      sentences.emplace_back("it begins in motion: no way that begins with standing was found");
+    if (options_.standing && graph_.canEndStanding() && !report.endsStanding)
+      sentences.emplace_back("it ends in motion: no way that comes to a stand was found");
     return fmt::format("{}", fmt::join(sentences, "; "));
   }
 
@@ -186,6 +240,7 @@ class Planning {
 
   const MotionLibrary& library_;
   const SearchGraph& graph_;
+  const ArrivalTable& arrivals_;
   const Scene& scene_;
   const PlanOptions& options_;
   Stopwatch total_;
@@ -195,12 +250,14 @@ class Planning {
 }  // namespace
 
 WalkPlanner::WalkPlanner(std::shared_ptr<const MotionLibrary> library)
-    : library_(std::move(library)), graph_(*library_) {}
+    : library_(std::move(library)),
+      graph_(*library_),
+      arrivals_(graph_, WalkCost{}, library_->frames.framesPerSecond, {}) {}
 
 Result<Plan> WalkPlanner::plan(const Scene& scene, const PlanOptions& options) const {
   if (auto checked = checkScene(scene); !checked) return fail(std::move(checked));
   if (auto checked = checkOptions(options); !checked) return fail(std::move(checked));
-  return Planning(*library_, graph_, scene, options).run();
+  return Planning(*library_, graph_, arrivals_, scene, options).run();
 }
 
 }  // namespace stridegraph

@@ -2,12 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "walk/test_library.h"
 
 namespace stridegraph {
 namespace {
 
 using testing::threeArcs;
+using testing::threeArcsAndAStart;
+using testing::threeArcsAndAStop;
 
 TEST(SearchGraph, keepsOnlyNodesWithAChoice) {
   const SearchGraph graph(threeArcs());
@@ -34,12 +38,48 @@ TEST(SearchGraph, samplesEndWhereTheWayEnds) {
   }
 }
 
-TEST(SearchGraph, offersEverySecondCapturedFrameAsAStart) {
+TEST(SearchGraph, offersEverySecondCapturedFrameAsAStartAlsoBeforeTheFirstNodeOfAClip) {
   const SearchGraph graph(threeArcs());
-  ASSERT_EQ(graph.starts().size(), 3U * 6U);
-  const SearchEdge& second = graph.starts()[1];
+  // Six on each piece from frame 14 to 26, and seven on the run in from frame 0.
+  ASSERT_EQ(graph.starts().size(), 3U * (6U + 7U));
+  const SearchEdge& second = graph.starts()[1].edge;
   EXPECT_EQ(graph.stepsOf(second)[0].begin, 2U);
   EXPECT_EQ(second.sampleCount, 10U);
+  const SearchEdge& runIn = graph.starts()[18].edge;
+  EXPECT_EQ(graph.stepsOf(runIn)[0].piece.from.value, 0U);
+  EXPECT_EQ(graph.stepsOf(runIn)[0].piece.to.value, 14U);
+  EXPECT_EQ(runIn.sampleCount, 14U + 12U);
+}
+
+TEST(SearchGraph, ofBodiesThatNeverStandHasNoStandingEnds) {
+  const SearchGraph graph(threeArcs());
+  EXPECT_FALSE(graph.canStartStanding());
+  EXPECT_FALSE(graph.canEndStanding());
+}
+
+TEST(SearchGraph, runsOutBehindTheLastNodeToWhereTheBodyHasStood) {
+  const SearchGraph graph(threeArcsAndAStop());
+  EXPECT_TRUE(graph.canEndStanding());
+  // Of the stop, which comes to a stand at frame 29 of its clip and has settled 8 frames later.
+  const auto edges = graph.edges();
+  const auto stop = std::find_if(edges.begin(), edges.end(),
+                                 [](const SearchEdge& edge) { return edge.to == SearchEdge::kNone; });
+  ASSERT_NE(stop, edges.end());
+  EXPECT_EQ(stop->settledSample + 1, stop->sampleCount);
+  EXPECT_TRUE(stop->settledEnd.translation.isApprox(stop->end.translation, 1e-9));
+  EXPECT_EQ(graph.stepsOf(*stop).back().piece.from.value, 3U * testing::kClipFrames + 14U);
+}
+
+TEST(SearchGraph, startsFromAStandWhereTheBodyStandsOnForAWhile) {
+  const SearchGraph graph(threeArcsAndAStart());
+  EXPECT_TRUE(graph.canStartStanding());
+  std::size_t standing = 0;
+  for (const SearchStart& start : graph.starts()) {
+    if (!start.stands) continue;
+    ++standing;
+    EXPECT_LT(graph.stepsOf(start.edge).front().begin, 10U);
+  }
+  EXPECT_GE(standing, 2U);
 }
 
 TEST(SearchGraph, ofASingleLoopHasOneNode) {

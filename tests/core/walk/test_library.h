@@ -12,12 +12,13 @@ namespace stridegraph::testing {
 inline constexpr std::uint32_t kClipFrames = 41;
 inline constexpr double kStepMetres = 0.05;
 
-/// A clip of a body that goes forward 5 cm a frame and turns evenly.
-inline void appendArc(MotionLibrary& library, const std::string& name, Angle turnPerFrame) {
+/// A clip of a body that goes forward a length for each frame and turns evenly.
+template <typename StepLength>
+void appendClip(MotionLibrary& library, const std::string& name, Angle turnPerFrame, StepLength metresAfter) {
   const auto first = static_cast<std::uint32_t>(library.frames.frameCount());
   FloorTransform placement;
-  const FloorTransform step{{0.0, kStepMetres}, Heading::fromAngle(turnPerFrame)};
   for (std::uint32_t f = 0; f < kClipFrames; ++f) {
+    const FloorTransform step{{0.0, metresAfter(f)}, Heading::fromAngle(turnPerFrame)};
     const std::vector<Quat> rotations = {placement.heading.rotation(),
                                          axisRotation(Axis::kX, Angle::degrees(f % 2 == 0 ? 5 : -5))};
     const Vec3 root(placement.translation.x(), 1.0, placement.translation.y());
@@ -26,6 +27,11 @@ inline void appendArc(MotionLibrary& library, const std::string& name, Angle tur
     placement = placement * step;
   }
   library.clips.push_back({name, first, kClipFrames, false});
+}
+
+/// 5 cm a frame.
+inline void appendArc(MotionLibrary& library, const std::string& name, Angle turnPerFrame) {
+  appendClip(library, name, turnPerFrame, [](std::uint32_t) { return kStepMetres; });
 }
 
 /// A library that can be checked by hand: a hip with one foot, three clips (straight on, and an eighth of a
@@ -61,6 +67,29 @@ inline MotionLibrary threeArcs() {
     }
   }
   graph.firstEdge.push_back(static_cast<std::uint32_t>(graph.edges.size()));
+  return library;
+}
+
+/// threeArcs() and a clip of going straight and then standing from frame 27 on: a transition from the
+/// straight clip leads to its frame 14, none leads on, as at the end of a captured clip.
+inline MotionLibrary threeArcsAndAStop() {
+  MotionLibrary library = threeArcs();
+  appendClip(library, "stop", Angle(), [](std::uint32_t f) { return f < 27 ? kStepMetres : 0.0; });
+  MotionGraph& graph = library.graph;
+  graph.nodes.emplace_back(std::size_t{3 * kClipFrames + 14});
+  // Behind the other three ways on from the straight clip's end.
+  graph.edges.insert(graph.edges.begin() + 4, {NodeIndex(std::size_t{1}), NodeIndex(std::size_t{6}),
+                                               EdgeKind::kTransition, 12, 12, 12, 0.02F});
+  for (std::size_t n = 2; n < graph.firstEdge.size(); ++n) ++graph.firstEdge[n];
+  graph.firstEdge.push_back(graph.firstEdge.back());
+  return library;
+}
+
+/// threeArcs() whose straight clip stands until frame 10.
+inline MotionLibrary threeArcsAndAStart() {
+  MotionLibrary library = threeArcs();
+  for (std::uint32_t f = 0; f < 10; ++f)
+    library.frames.rootPositions[f].z() = library.frames.rootPositions[10].z();
   return library;
 }
 

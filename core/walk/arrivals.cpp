@@ -1,0 +1,118 @@
+#include "walk/arrivals.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "walk/search_heap.h"
+#include "walk/state_set.h"
+
+namespace stridegraph {
+
+/// Dijkstra's algorithm backwards from all stands.
+struct ArrivalTable::Building {
+  const SearchGraph& graph;
+  const WalkCost& cost;
+  double framesPerSecond;
+  const Params& params;
+  std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>>
+      into;  ///< Nodes and ways that lead to a node.
+  std::vector<Arrival> open;
+  std::vector<std::uint32_t> openNodes;
+  SearchHeap heap;
+  StateSet closed;
+
+  double costOf(const SearchEdge& edge) const {
+    return cost.ofGoing(edge, framesPerSecond) + cost.ofTransitions(edge);
+  }
+
+  void push(std::uint32_t node, const Arrival& arrival) {
+    if (arrival.costMetres > params.reachMetres) return;
+    heap.push(arrival.costMetres, static_cast<std::uint32_t>(open.size()));
+    open.push_back(arrival);
+    openNodes.push_back(node);
+  }
+
+  std::uint64_t key(std::uint32_t node, const FloorTransform& end) const {
+    // Ends lie within the reach of the node on all sides.
+    const Vec2 cell = (end.translation + Vec2::Constant(2.0 * params.reachMetres)) / params.cellMetres;
+    const auto turn = static_cast<std::uint64_t>(quarterTurns(end.heading) * 0.25 * params.headingCells);
+    const auto x = static_cast<std::uint64_t>(cell.x());
+    const auto z = static_cast<std::uint64_t>(cell.y());
+    return ((node * 0x4000ULL + x) * 0x4000ULL + z) * 0x100ULL + turn;
+  }
+
+  void begin() {
+    into.resize(graph.nodeCount());
+    for (std::uint32_t node = 0; node < graph.nodeCount(); ++node) {
+      for (const SearchEdge& edge : graph.edgesFrom(node)) {
+        const std::uint32_t index = graph.indexOf(edge);
+        if (edge.to != SearchEdge::kNone) into[edge.to].emplace_back(node, index);
+        if (edge.settledSample == SearchEdge::kNone) continue;
+        const double share =
+            static_cast<double>(edge.settledSample + 1) / static_cast<double>(edge.sampleCount);
+        push(node, {edge.settledEnd, share * costOf(edge), index, Arrival::kNone});
+      }
+    }
+  }
+
+  /// Fills the table; returns the node of each arrival.
+  std::vector<std::uint32_t> run(std::vector<Arrival>& arrivals) {
+    std::vector<std::uint32_t> nodeOf;
+    begin();
+    while (!heap.empty() && arrivals.size() < params.most) {
+      const std::uint32_t id = heap.pop();
+      const Arrival arrival = open[id];
+      const std::uint32_t node = openNodes[id];
+      if (!closed.insert(key(node, arrival.end))) continue;
+      const auto next = static_cast<std::uint32_t>(arrivals.size());
+      arrivals.push_back(arrival);
+      nodeOf.push_back(node);
+      for (const auto& [from, index] : into[node]) {
+        const SearchEdge& edge = graph.edges()[index];
+        push(from, {edge.end * arrival.end, arrival.costMetres + costOf(edge), index, next});
+      }
+    }
+    return nodeOf;
+  }
+};
+
+ArrivalTable::ArrivalTable(const SearchGraph& graph, const WalkCost& cost, double framesPerSecond,
+                           const Params& params)
+    : reachMetres_(params.reachMetres), least_(graph.nodeCount(), params.reachMetres) {
+  Building building{graph, cost, framesPerSecond, params, {}, {}, {}, {}, {}};
+  const std::vector<std::uint32_t> nodeOf = building.run(arrivals_);
+  for (std::size_t a = 0; a < arrivals_.size(); ++a) {
+    double& least = least_[nodeOf[a]];
+    least = std::min(least, arrivals_[a].costMetres);
+  }
+  indexByNode(nodeOf, graph.nodeCount());
+}
+
+void ArrivalTable::indexByNode(const std::vector<std::uint32_t>& nodeOf, std::size_t nodeCount) {
+  for (std::uint32_t a = 0; a < arrivals_.size(); ++a) byNode_.push_back(a);
+  const auto key = [&](std::uint32_t a) {
+    return std::tuple(nodeOf[a], arrivals_[a].end.translation.x(), a);
+  };
+  std::sort(byNode_.begin(), byNode_.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+  firstOfNode_.assign(nodeCount + 1, 0);
+  for (const std::uint32_t node : nodeOf) ++firstOfNode_[node + 1];
+  for (std::size_t n = 0; n < nodeCount; ++n) firstOfNode_[n + 1] += firstOfNode_[n];
+}
+
+std::vector<std::uint32_t> ArrivalTable::near(std::uint32_t node, const Vec2& point,
+                                              double radiusMetres) const {
+  const auto first = byNode_.begin() + firstOfNode_[node];
+  const auto last = byNode_.begin() + firstOfNode_[node + 1];
+  auto at = std::lower_bound(first, last, point.x() - radiusMetres,
+                             [&](std::uint32_t a, double x) { return arrivals_[a].end.translation.x() < x; });
+  std::vector<std::uint32_t> found;
+  for (; at != last && arrivals_[*at].end.translation.x() <= point.x() + radiusMetres; ++at) {
+    if ((arrivals_[*at].end.translation - point).norm() <= radiusMetres) found.push_back(*at);
+  }
+  // Arrivals are numbered in the order in which they were closed, cheapest first.
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+}  // namespace stridegraph

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "path/distance_field.h"
+#include "walk/guided_search.h"
+#include "walk/search_heap.h"
+#include "walk/state_set.h"
+
+namespace stridegraph {
+
+/// What a walk must be like at its end.
+struct WalkEnd {
+  bool standing = true;       ///< The body has come to a stand.
+  bool facing = true;         ///< It faces as the goal asks, if it asks.
+  double radiusMetres = 0.1;  ///< Its root is this near the goal.
+};
+
+/// One run of weighted A* with the settings of a stage. Used once.
+class GuidedRun {
+ public:
+  GuidedRun(const MotionQuery& query, const GuidedSearchParams& params, const GuidedStage& stage,
+            const DistanceField& field, const WalkEnd& end);
+
+  MotionResult search(std::span<const Heading> startHeadings);
+
+  /// Whether any way to begin could be walked to its end.
+  bool begun() const { return begun_; }
+
+ private:
+  static constexpr std::uint32_t kNone = SearchEdge::kNone;
+
+  /// A state reached: a decision node, or an end of the walk.
+  struct State {
+    FloorTransform placement;  ///< At the node; of an end, where its last way or its arrival begins.
+    double cost = 0.0;
+    const SearchEdge* via = nullptr;   ///< The way that leads here; none where an arrival does.
+    std::uint32_t parent = kNone;      ///< kNone for the first way of a walk.
+    std::uint32_t goalSample = kNone;  ///< Sample of `via` at which the walk ends; kNone when it goes on.
+    std::uint32_t arrival = kNone;     ///< The walk ends along this one; kNone when it does not.
+    bool isEnd() const { return goalSample != kNone || arrival != kNone; }
+  };
+
+  void begin(const FloorTransform& start);
+  void expand(std::uint32_t id);
+  void reach(std::uint32_t parent, const FloorTransform& from, double cost, const SearchEdge& edge);
+  void openEnd(std::uint32_t parent, const FloorTransform& from, double cost, const SearchEdge& edge,
+               std::uint32_t sample);
+  void openArrival(std::uint32_t parent, const State& state);
+  void open(const State& state, double toGo);
+
+  bool isFree(const FloorTransform& from, const SearchEdge& edge, std::uint32_t samples) const;
+  bool isFree(FloorTransform from, std::uint32_t arrival) const;
+  bool facesGoal(const Heading& heading) const;
+  double costOf(const SearchEdge& edge) const;
+  double seededShare(const SearchEdge& edge) const;
+  double costToGo(const State& state) const;
+  std::uint64_t key(const State& state) const;
+  bool outOfTime(std::uint64_t expansions) const;
+  MotionPath pathTo(std::uint32_t id) const;
+
+  const MotionQuery& query_;
+  const GuidedSearchParams& params_;
+  const GuidedStage& stage_;
+  const DistanceField& field_;
+  WalkEnd end_;
+  Heading goalHeading_;
+  double goalCosine_ = -1.0;  ///< Of the largest turn from the goal's heading.
+  std::vector<State> states_;
+  std::vector<Heading> startOf_;  ///< Of the first states, the heading that each begins with.
+  SearchHeap open_;
+  StateSet closed_;
+  bool begun_ = false;
+};
+
+}  // namespace stridegraph
