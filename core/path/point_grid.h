@@ -20,6 +20,8 @@ class PointGrid {
 
   /// Indices of the nearest points, nearest first; fewer when there are fewer.
   std::vector<std::uint32_t> nearest(const Vec2& point, std::size_t count) const;
+  /// Indices of the points nearer than a distance, nearest first.
+  std::vector<std::uint32_t> within(const Vec2& point, double metres) const;
 
  private:
   int cellIndex(double metres, int count) const;

@@ -6,9 +6,10 @@
 namespace stridegraph {
 
 /// Plans by a probabilistic roadmap (section 4.1.1; Kavraki et al. 1996): seeded nodes in free places, edges
-/// to the nearest ones in sight, start and goal joined to the nearest nodes that they see, Dijkstra. When the
-/// roadmap misses the way it doubles, params.doublings times, half of the new nodes near the smaller of the
-/// parts that hold start and goal. Both ends must be free.
+/// to the nearest ones in sight, start and goal joined to the nearest nodes that they see, A*. Edges are only
+/// looked at where the search comes by (lazy PRM, Bohlin and Kavraki 2000), and only those are handed back.
+/// When the roadmap misses the way it grows, up to params.growths times, half of the new nodes near the
+/// smaller of the parts that hold start and goal. Both ends must be free.
 SampledPath planByRoadmap(const FloorPlan& plan, const Vec2& start, const Vec2& goal, Random& random,
                           const PathParams& params);
 
