@@ -59,8 +59,8 @@ class DistanceField {
   double inverseCell_;
   std::size_t columns_;
   std::size_t rows_;
-  std::size_t stride_;          ///< columns_ + 2.
-  std::vector<double> values_;  ///< (columns_ + 2) x (rows_ + 2), row by row; infinite where not reached.
+  std::size_t stride_;         ///< columns_ + 2.
+  std::vector<float> values_;  ///< (columns_ + 2) x (rows_ + 2), row by row; infinite where not reached.
 };
 
 }  // namespace stridegraph
