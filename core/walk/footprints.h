@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "walk/walk_feet.h"
+
+namespace stridegraph {
+
+/// What moves an ankle to where it should be: x, y, z in metres, and the foot's turn about the vertical in
+/// radians, about the ankle.
+using FootCorrection = Eigen::Vector4d;
+
+/// Frames first..last during which some joint of the foot stands.
+struct FootStance {
+  std::size_t first = 0;
+  std::size_t last = 0;
+};
+
+/// A stance with what holds the foot in place through it.
+struct PinnedStance {
+  FootStance stance;
+  std::vector<FootCorrection> corrections;  ///< One for each frame of the stance.
+};
+
+/// How far pins may pull.
+struct PinParams {
+  double farthestMetres = 0.05;           ///< Over the floor; a foot that wanders farther has moved.
+  Angle widestTurn = Angle::degrees(12);  ///< About the vertical.
+  double sameLevelMetres = 0.01;          ///< Stances so near their level stay at their own height.
+  std::size_t leastFrames = 3;            ///< Shorter stances are touches, not stances.
+};
+
+/// Runs of frames in which some contact joint of the foot holds.
+std::vector<FootStance> findStances(const FootTrack& track, const PinParams& params = {});
+
+/// How high each contact joint of the foot is while it stands in a stance, metres; NaN where it never does.
+std::vector<double> standingHeights(const FootTrack& track, const FootStance& stance);
+
+/// Pins each stance to one footprint (Kovar, Schreiner and Gleicher 2002, section 3.1, for rigid feet): each
+/// contact joint keeps one place on the floor while it holds, so that the foot rolls over heel, ball and tip
+/// in turn as in the clip, and the foot keeps one yaw while two of its joints stand. Up and down the foot
+/// moves as in the clip, lifted or lowered so that each joint stands at its level (`levelsMetres`, world;
+/// NaN where that is not known).
+/// Stances that wander farther than the limits are divided where the foot is fastest.
+std::vector<PinnedStance> pinStances(const FootTrack& track, std::span<const double> levelsMetres,
+                                     const PinParams& params = {});
+
+}  // namespace stridegraph
