@@ -20,7 +20,8 @@ End endOf(const FootCorrection& inner, const FootCorrection& outer) {
   FootCorrection slope = outer - inner;
   const double speed = slope.head<3>().norm();
   if (speed > kLargestPlaceSlope) slope.head<3>() *= kLargestPlaceSlope / speed;
-  slope[3] = std::clamp(slope[3], -kLargestTurnSlope, kLargestTurnSlope);
+  for (Eigen::Index turn = 3; turn < slope.size(); ++turn)
+    slope[turn] = std::clamp(slope[turn], -kLargestTurnSlope, kLargestTurnSlope);
   return {outer, slope};
 }
 

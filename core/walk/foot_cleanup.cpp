@@ -6,6 +6,7 @@
 
 #include "math/floor_transform.h"
 #include "walk/correction_blend.h"
+#include "walk/foot_roll.h"
 #include "walk/footprints.h"
 
 namespace stridegraph {
@@ -41,10 +42,6 @@ struct FootAtWork {
   std::vector<double> reach;  ///< Longest that the leg may be, frame by frame, metres.
 };
 
-Quat yawTurn(double radians) {
-  return Heading::fromAngle(Angle::radians(radians)).rotation();
-}
-
 /// Raises the foot where one of its joints lies too deep.
 void liftSunken(std::size_t reachFrames, FootAtWork& foot) {
   std::vector<double> missing(foot.track.frameCount(), 0.0);
@@ -59,12 +56,11 @@ void liftSunken(std::size_t reachFrames, FootAtWork& foot) {
   for (std::size_t f = 0; f < lift.size(); ++f) foot.corrections[f][1] += lift[f];
 }
 
-std::vector<double> reachOf(const Skeleton& skeleton, const FootAtWork& foot) {
-  const double whole = legLengths(skeleton, foot.foot.leg).whole();
+std::vector<double> reachOf(const FootAtWork& foot) {
   std::vector<double> reach;
   for (std::size_t f = 0; f < foot.track.frameCount(); ++f)
-    reach.push_back(
-        std::max(kUsualReach * whole, (foot.track.ankles[f].position - foot.track.hips[f]).norm()));
+    reach.push_back(std::max(kUsualReach * foot.foot.legMetres,
+                             (foot.track.ankles[f].position - foot.track.hips[f]).norm()));
   return reach;
 }
 
@@ -75,7 +71,7 @@ std::vector<double> rootShifts(const std::vector<FootAtWork>& feet, const Clip& 
   for (const FootAtWork& foot : feet) {
     for (const PinnedStance& pinned : foot.stances) {
       for (std::size_t f = pinned.stance.first; f <= pinned.stance.last; ++f) {
-        sums[f] += foot.corrections[f][1];
+        sums[f] += pinned.corrections.front()[1];
         counts[f] += 1.0;
       }
     }
@@ -107,8 +103,10 @@ std::vector<double> rootLowering(const std::vector<FootAtWork>& feet, const std:
 void solveFrame(const Skeleton& skeleton, const FootAtWork& foot, std::size_t frame, Clip& clip) {
   const FootCorrection& correction = foot.corrections[frame];
   const JointPlacement& ankle = foot.track.ankles[frame];
-  const AnkleTarget target{ankle.position + correction.head<3>(), yawTurn(correction[3]) * ankle.rotation};
-  const double longestShare = foot.reach[frame] / legLengths(skeleton, foot.foot.leg).whole();
+  const Quat pitch(Eigen::AngleAxisd(correction[4], foot.foot.sideInAnkle));
+  const AnkleTarget target{ankle.position + correction.head<3>(),
+                           yawTurn(correction[3]) * ankle.rotation * pitch};
+  const double longestShare = foot.reach[frame] / foot.foot.legMetres;
   solveLeg(skeleton, foot.foot.leg, target, std::min(1.0, longestShare), clip.rootPositions[frame],
            clip.rotationsOf(frame));
 }
@@ -152,13 +150,16 @@ FootCleanupReport FootCleanup::apply(const MotionLibrary& library, SynthesisedWa
         feet.emplace_back(FootAtWork{foot, trackFoot(library, foot, clip, walk.contacts), {}, {}, {}, {}});
     for (const std::size_t k : foot.contacts) work.levels.push_back(levelsMetres_[k]);
     work.stances = pinStances(work.track, work.levels);
+  }
+  const std::vector<double> shifts = rootShifts(feet, clip);
+  for (FootAtWork& work : feet) {
+    for (PinnedStance& pinned : work.stances) rollOverToes(work.track, work.foot, shifts, pinned);
     work.corrections = carryCorrections(work.stances, clip.frameCount(), framesIn(kBlendSeconds, clip));
     liftSunken(framesIn(0.5 * kLoweringSeconds, clip), work);
-    work.reach = reachOf(library.skeleton, work);
+    work.reach = reachOf(work);
     count(work, report, frames);
   }
   if (frames > 0) report.meanCorrectionMetres /= static_cast<double>(frames);
-  const std::vector<double> shifts = rootShifts(feet, clip);
   const std::vector<double> lowering = rootLowering(feet, shifts, clip);
   for (std::size_t f = 0; f < clip.frameCount(); ++f) {
     const double rise = shifts[f] - lowering[f];

@@ -114,32 +114,29 @@ double beyond(double value, double tolerance) {
   return value - std::clamp(value, -tolerance, tolerance);
 }
 
-/// How far each frame goes up so that the joints stand at their levels.
-std::vector<double> lifts(const FootTrack& track, const FootStance& stance,
-                          std::span<const double> levelsMetres, const PinParams& params) {
+/// How far the foot goes up through a stance so that its joints stand at their levels, in the mean.
+double liftOf(const FootTrack& track, const FootStance& stance, std::span<const double> levelsMetres) {
   const std::vector<double> heights = standingHeights(track, stance);
-  std::vector<double> result;
-  for (std::size_t f = stance.first; f <= stance.last; ++f) {
-    double sum = 0.0;
-    double weights = 0.0;
-    for (std::size_t k = 0; k < heights.size(); ++k) {
-      if (track.holds[k][f] == 0.0 || std::isnan(levelsMetres[k])) continue;
-      sum += track.holds[k][f] * beyond(levelsMetres[k] - heights[k], params.sameLevelMetres);
+  double sum = 0.0;
+  double weights = 0.0;
+  for (std::size_t k = 0; k < heights.size(); ++k) {
+    if (std::isnan(heights[k]) || std::isnan(levelsMetres[k])) continue;
+    for (std::size_t f = stance.first; f <= stance.last; ++f) {
+      sum += track.holds[k][f] * (levelsMetres[k] - heights[k]);
       weights += track.holds[k][f];
     }
-    result.push_back(weights > 0.0 ? sum / weights : 0.0);
   }
-  return result;
+  return weights > 0.0 ? sum / weights : 0.0;
 }
 
 PinnedStance pin(const FootTrack& track, const FootStance& stance, std::span<const double> levelsMetres,
                  const PinParams& params) {
   const std::vector<double> turns = yawCorrections(track, stance);
   const std::vector<Vec2> shifts = floorShifts(track, stance, turns);
-  const std::vector<double> up = lifts(track, stance, levelsMetres, params);
+  const double up = beyond(liftOf(track, stance, levelsMetres), params.sameLevelMetres);
   PinnedStance pinned{stance, {}};
   for (std::size_t i = 0; i < turns.size(); ++i)
-    pinned.corrections.emplace_back(shifts[i].x(), up[i], shifts[i].y(), turns[i]);
+    pinned.corrections.push_back({shifts[i].x(), up, shifts[i].y(), turns[i], 0.0});
   return pinned;
 }
 
@@ -160,11 +157,18 @@ void pinOrDivide(const FootTrack& track, const FootStance& stance, std::span<con
   std::size_t fastest = stance.first;
   for (std::size_t f = stance.first; f <= stance.last; ++f)
     if (largestHold(track, f) < largestHold(track, fastest)) fastest = f;
-  if (fastest > stance.first) pinOrDivide(track, {stance.first, fastest - 1}, levelsMetres, params, result);
-  if (fastest < stance.last) pinOrDivide(track, {fastest + 1, stance.last}, levelsMetres, params, result);
+  // The foot needs time to get from the one place to the other.
+  if (fastest > stance.first + params.leastFrames)
+    pinOrDivide(track, {stance.first, fastest - params.leastFrames}, levelsMetres, params, result);
+  if (fastest + params.leastFrames < stance.last)
+    pinOrDivide(track, {fastest + params.leastFrames, stance.last}, levelsMetres, params, result);
 }
 
 }  // namespace
+
+Quat yawTurn(double radians) {
+  return Heading::fromAngle(Angle::radians(radians)).rotation();
+}
 
 std::vector<FootStance> findStances(const FootTrack& track, const PinParams& params) {
   std::vector<FootStance> stances;

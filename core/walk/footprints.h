@@ -8,9 +8,12 @@
 
 namespace stridegraph {
 
-/// What moves an ankle to where it should be: x, y, z in metres, and the foot's turn about the vertical in
-/// radians, about the ankle.
-using FootCorrection = Eigen::Vector4d;
+/// What brings a foot to where it should be: x, y, z of the ankle in metres, and the foot's turns about the
+/// ankle in radians, one about the vertical and, before it, one about the foot's own sideways axis.
+using FootCorrection = Eigen::Matrix<double, 5, 1>;
+
+/// A turn about the vertical, as Heading.
+Quat yawTurn(double radians);
 
 /// Frames first..last during which some joint of the foot stands.
 struct FootStance {

@@ -95,7 +95,7 @@ WalkFeet findWalkFeet(const MotionLibrary& library) {
     const auto same = std::find_if(found.feet.begin(), found.feet.end(),
                                    [&](const WalkFoot& foot) { return foot.leg.ankle == leg->ankle; });
     if (same == found.feet.end()) {
-      found.feet.push_back({*leg, {k}});
+      found.feet.push_back({*leg, legLengths(library.skeleton, *leg).whole(), {k}});
     } else {
       same->contacts.push_back(k);
     }

@@ -14,6 +14,7 @@ namespace stridegraph {
 /// A foot of a library's body: the leg that it hangs on and where it can touch the floor.
 struct WalkFoot {
   Leg leg;
+  double legMetres = 0.0;             ///< Thigh and shin.
   std::vector<std::size_t> contacts;  ///< Indices into MotionLibrary::contactJoints, the ankle's side first.
   /// Level and across the foot while it stands, in the ankle's own axes: tells its yaw however it is pitched.
   Vec3 sideInAnkle = Vec3::UnitX();
