@@ -3,16 +3,13 @@
 #include <algorithm>
 #include <limits>
 
+#include "graph/jerks.h"
 #include "walk/walk_measures.h"
 
 namespace stridegraph {
 
 SourceFigures sourceFigures(const MotionLibrary& library) {
-  std::vector<ClipSpan> spans;
-  for (const LibraryClip& clip : library.clips) {
-    if (clip.frameCount == 0) continue;
-    spans.push_back({&library.frames, clip.firstFrame, std::size_t{clip.firstFrame} + clip.frameCount - 1});
-  }
+  const std::vector<ClipSpan> spans = clipSpans(library);
   SourceFigures figures;
   figures.limits = motionLimits(spans);
   figures.footFloorsMetres.assign(library.contactJoints.size(), std::numeric_limits<double>::infinity());
