@@ -6,11 +6,6 @@
 namespace stridegraph {
 namespace {
 
-/// Fastest change of a correction where a blend begins or ends, per frame: a foot that is pulled along
-/// faster has let go already.
-constexpr double kLargestPlaceSlope = 0.008;
-constexpr double kLargestTurnSlope = 0.05;
-
 struct End {
   FootCorrection value = FootCorrection::Zero();
   FootCorrection slope = FootCorrection::Zero();  ///< Per frame.

@@ -19,7 +19,7 @@ constexpr double kLargestLowering = 0.04;  ///< Metres.
 /// A leg may be stretched so far, or as far as the clip stretches it: beyond, the knee snaps.
 constexpr double kUsualReach = 0.985;
 /// Tips of feet that push off lie a little deeper than feet that stand.
-constexpr double kLargestSink = 0.013;  // metres
+constexpr double kLargestSink = 0.018;  // metres
 
 std::size_t framesIn(double seconds, const Clip& clip) {
   return static_cast<std::size_t>(std::max(1.0, std::round(seconds * clip.framesPerSecond)));

@@ -146,12 +146,30 @@ bool isWithin(const PinnedStance& pinned, const PinParams& params) {
   });
 }
 
+bool isPulledAlong(const FootCorrection& before, const FootCorrection& after) {
+  return (after - before).head<3>().norm() > kLargestPlaceSlope ||
+         std::abs(after[3] - before[3]) > kLargestTurnSlope;
+}
+
+/// Without the frames at both ends in which the foot is pulled along.
+PinnedStance trimmed(PinnedStance pinned) {
+  std::vector<FootCorrection>& list = pinned.corrections;
+  std::size_t end = list.size();
+  while (end > 1 && isPulledAlong(list[end - 2], list[end - 1])) --end;
+  std::size_t begin = 0;
+  while (begin + 1 < end && isPulledAlong(list[begin], list[begin + 1])) ++begin;
+  pinned.stance = {pinned.stance.first + begin, pinned.stance.first + end - 1};
+  list = {list.begin() + static_cast<std::ptrdiff_t>(begin), list.begin() + static_cast<std::ptrdiff_t>(end)};
+  return pinned;
+}
+
 void pinOrDivide(const FootTrack& track, const FootStance& stance, std::span<const double> levelsMetres,
                  const PinParams& params, std::vector<PinnedStance>& result) {
   if (stance.last - stance.first + 1 < params.leastFrames) return;
   PinnedStance pinned = pin(track, stance, levelsMetres, params);
   if (isWithin(pinned, params)) {
-    result.push_back(std::move(pinned));
+    pinned = trimmed(std::move(pinned));
+    if (pinned.corrections.size() >= params.leastFrames) result.push_back(std::move(pinned));
     return;
   }
   std::size_t fastest = stance.first;

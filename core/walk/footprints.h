@@ -27,11 +27,15 @@ struct PinnedStance {
   std::vector<FootCorrection> corrections;  ///< One for each frame of the stance.
 };
 
+/// Fastest change of a correction from frame to frame: a foot that the clip pulls along faster has let go.
+inline constexpr double kLargestPlaceSlope = 0.008;  // metres
+inline constexpr double kLargestTurnSlope = 0.05;    // rad
+
 /// How far pins may pull.
 struct PinParams {
   double farthestMetres = 0.05;           ///< Over the floor; a foot that wanders farther has moved.
   Angle widestTurn = Angle::degrees(12);  ///< About the vertical.
-  double sameLevelMetres = 0.01;          ///< Stances so near their level stay at their own height.
+  double sameLevelMetres = 0.015;         ///< Stances so near their level stay at their own height.
   std::size_t leastFrames = 3;            ///< Shorter stances are touches, not stances.
 };
 
@@ -46,7 +50,8 @@ std::vector<double> standingHeights(const FootTrack& track, const FootStance& st
 /// in turn as in the clip, and the foot keeps one yaw while two of its joints stand. Up and down the foot
 /// moves as in the clip, lifted or lowered so that each joint stands at its level (`levelsMetres`, world;
 /// NaN where that is not known).
-/// Stances that wander farther than the limits are divided where the foot is fastest.
+/// Stances that wander farther than the limits are divided where the foot is fastest, and end where it is
+/// pulled along.
 std::vector<PinnedStance> pinStances(const FootTrack& track, std::span<const double> levelsMetres,
                                      const PinParams& params = {});
 
