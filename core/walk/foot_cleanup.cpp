@@ -56,6 +56,14 @@ void liftSunken(std::size_t reachFrames, FootAtWork& foot) {
   for (std::size_t f = 0; f < lift.size(); ++f) foot.corrections[f][1] += lift[f];
 }
 
+/// What the foot needs in every frame when the root rises by so much.
+void correct(std::span<const double> rootRises, const Clip& clip, FootAtWork& work) {
+  std::vector<PinnedStance> stances = work.stances;
+  for (PinnedStance& pinned : stances) rollOverToes(work.track, work.foot, rootRises, pinned);
+  work.corrections = carryCorrections(stances, clip.frameCount(), framesIn(kBlendSeconds, clip));
+  liftSunken(framesIn(0.5 * kLoweringSeconds, clip), work);
+}
+
 std::vector<double> reachOf(const FootAtWork& foot) {
   std::vector<double> reach;
   for (std::size_t f = 0; f < foot.track.frameCount(); ++f)
@@ -150,23 +158,22 @@ FootCleanupReport FootCleanup::apply(const MotionLibrary& library, SynthesisedWa
         feet.emplace_back(FootAtWork{foot, trackFoot(library, foot, clip, walk.contacts), {}, {}, {}, {}});
     for (const std::size_t k : foot.contacts) work.levels.push_back(levelsMetres_[k]);
     work.stances = pinStances(work.track, work.levels);
-  }
-  const std::vector<double> shifts = rootShifts(feet, clip);
-  for (FootAtWork& work : feet) {
-    for (PinnedStance& pinned : work.stances) rollOverToes(work.track, work.foot, shifts, pinned);
-    work.corrections = carryCorrections(work.stances, clip.frameCount(), framesIn(kBlendSeconds, clip));
-    liftSunken(framesIn(0.5 * kLoweringSeconds, clip), work);
     work.reach = reachOf(work);
+  }
+  std::vector<double> rises = rootShifts(feet, clip);
+  for (FootAtWork& work : feet) correct(rises, clip, work);
+  const std::vector<double> lowering = rootLowering(feet, rises, clip);
+  for (std::size_t f = 0; f < rises.size(); ++f) rises[f] -= lowering[f];
+  for (FootAtWork& work : feet) {
+    correct(rises, clip, work);
     count(work, report, frames);
   }
   if (frames > 0) report.meanCorrectionMetres /= static_cast<double>(frames);
-  const std::vector<double> lowering = rootLowering(feet, shifts, clip);
   for (std::size_t f = 0; f < clip.frameCount(); ++f) {
-    const double rise = shifts[f] - lowering[f];
     report.worstLoweringMetres = std::max(report.worstLoweringMetres, lowering[f]);
-    if (rise != 0.0) clip.rootPositions[f].y() += rise;
+    if (rises[f] != 0.0) clip.rootPositions[f].y() += rises[f];
     for (const FootAtWork& foot : feet)
-      if (rise != 0.0 || foot.corrections[f] != FootCorrection::Zero())
+      if (rises[f] != 0.0 || foot.corrections[f] != FootCorrection::Zero())
         solveFrame(library.skeleton, foot, f, clip);
   }
   return report;

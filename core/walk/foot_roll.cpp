@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kLargestPitch = 0.17;  // rad
 /// Change of leg length with pitch below which pitching is given up, smoothly.
-constexpr double kLeastLever = 0.03;  // metres per radian
+constexpr double kLeastLever = 0.02;  // metres per radian
 /// Shares of its length at which a leg is bent enough for its knee not to mind, and at which it is not.
 constexpr double kBentLeg = 0.95;
 constexpr double kStraightLeg = 0.98;
@@ -26,7 +26,7 @@ double ramp(double value, double low, double high) {
 /// line.
 double pitchFor(const Vec3& arm, const Vec3& toHip, const Vec3& axis, double wantedMetres) {
   double pitch = 0.0;
-  for (int step = 0; step < 3; ++step) {
+  for (int step = 0; step < 8; ++step) {
     const Vec3 turned = Eigen::AngleAxisd(pitch, axis) * arm;
     const Vec3 leg = turned - toHip;
     const double lever = leg.dot(axis.cross(turned)) / leg.norm();
