@@ -115,6 +115,8 @@ void addPlanCommand(CLI::App& program, int& exitCode) {
       ->add_option("--budget-ms", arguments->options.budgetMilliseconds,
                    "Time for the motion search; 0: no limit")
       ->capture_default_str();
+  command->add_flag("!--raw-feet", arguments->options.footCleanup,
+                    "Leave feet as blended, to compare: no pins, no lifting");
   command->add_option("--report", arguments->reportPath, "Write the report (JSON)");
   command->callback([arguments, seed, radius, &exitCode] {
     PlanOptions& options = arguments->options;

@@ -65,6 +65,7 @@ Result<PlanOptions> readPlanOptions(const val& options) {
   read.radiusMetres = reader.number("radius");
   read.goalRadiusMetres = reader.number("goalRadius").value_or(read.goalRadiusMetres);
   read.standing = reader.flag("standing").value_or(read.standing);
+  read.footCleanup = reader.flag("footCleanup").value_or(read.footCleanup);
   read.subgoalSpacingMetres = reader.number("subgoalSpacing").value_or(read.subgoalSpacingMetres);
   read.budgetMilliseconds = reader.number("budgetMs").value_or(read.budgetMilliseconds);
   const std::string planners =

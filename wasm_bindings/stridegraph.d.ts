@@ -60,6 +60,8 @@ export interface PlanOptions {
   goalRadius?: number
   /** Begin and end with a standing body where the library can; true when missing. */
   standing?: boolean
+  /** Pin planted feet; true when missing, false leaves feet as captured and blended. */
+  footCleanup?: boolean
   planner?: 'prm' | 'rrt-connect'
   search?: 'guided' | 'thesis'
   /** Metres between subgoals of the thesis search, 0.2..20; 2 when missing. */
@@ -95,6 +97,24 @@ export interface PlanReport {
   /** Smallest distance of the disc's rim to anything along the walk. */
   clearance_m: number
   foot_skate_cm_s: number
+  /** The same of the clips that the library is made of. */
+  foot_skate_source_cm_s: number
+  /** How far the lowest foot joint sinks below the clips' floors. */
+  penetration_cm: number
+  /** Stances of all feet that were pinned to one place. */
+  contacts: number
+  /** How far planted feet were moved. */
+  feet_corrected: { mean_cm: number; worst_cm: number }
+  /** Joints on the floor above which no leg could be made out. */
+  feet_left_alone: string[]
+  /** Fastest turn of a joint over what it does at most in the clips (its 99.9th percentile), and where. */
+  joint_speed_ratio: number
+  joint_speed_ratio_at: { frame: number; joint: string }
+  /** Likewise the quickest change of a turn. */
+  joint_accel_ratio: number
+  joint_accel_ratio_at: { frame: number; joint: string }
+  /** Every transition: its first frame of the walk, the library frames at its ends, its distance. */
+  seams: { frame: number; from: number; to: number; distance_m: number }[]
   /** From the last root to the goal, over the floor. */
   arrival_error_m: number
   /** From the last facing to the heading asked for at the goal, if any was. */

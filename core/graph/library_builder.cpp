@@ -9,6 +9,7 @@
 #include "graph/clip_preparation.h"
 #include "graph/glitches.h"
 #include "graph/graph_building.h"
+#include "graph/jerks.h"
 #include "graph/library_checks.h"
 #include "graph/pose_distance.h"
 #include "graph/sgraph_file.h"
@@ -29,6 +30,7 @@ enum class Stage {
   kMirror,
   kFeatures,
   kScan,
+  kJerks,
   kConnect,
   kContacts,
   kSeal,
@@ -70,6 +72,7 @@ struct LibraryBuilder::State {
   FeatureBasis basis;
   std::vector<ClipFeatures> features;
   std::optional<TransitionScan> scan;
+  std::vector<Jerk> jerks;
   std::optional<Error> error;
   Stage stage = Stage::kPrepare;
   std::size_t next = 0;  ///< Clip at hand in stages that go clip by clip.
@@ -80,6 +83,8 @@ struct LibraryBuilder::State {
   void level();
   void mirrorOne();
   void featuresOfOne();
+  void jerksOfOne();
+  void warnOfJerks();
   void connect();
   void addClip(Clip clip, bool isMirrored);
   void collectFrames();
@@ -220,12 +225,34 @@ void LibraryBuilder::State::countGraph(const MotionGraph& whole) {
   report.survivingShare = static_cast<double>(surviving) / static_cast<double>(library.frames.frameCount());
 }
 
+void LibraryBuilder::State::jerksOfOne() {
+  if (next == 0) collectFrames();
+  const std::vector<Jerk> found = findJerks(library, JointIndex(next));
+  jerks.insert(jerks.end(), found.begin(), found.end());
+  if (++next < library.skeleton.size()) return;
+  jerks = farthestByFrame(std::move(jerks));
+  warnOfJerks();
+  enter(Stage::kConnect);
+}
+
+void LibraryBuilder::State::warnOfJerks() {
+  for (const Jerk& jerk : jerks) {
+    const LibraryClip& clip = library.clipOf(jerk.frame);
+    if (clip.mirrored) continue;
+    const std::uint32_t frame = jerk.frame.value - clip.firstFrame;
+    report.warnings.push_back(
+        {fmt::format("joint {} slips by {:.0f} degrees from frame {} to {}, more than "
+                     "it turns anywhere else: nothing plays across that",
+                     library.skeleton.joints[jerk.joint.value].name, jerk.turn.degrees(), frame, frame + 1),
+         {clip.name}});
+  }
+}
+
 void LibraryBuilder::State::connect() {
-  collectFrames();
   const std::vector<FoundTransition> found = scan->take();
-  std::vector<std::uint32_t> counts;
-  for (const LibraryClip& clip : library.clips) counts.push_back(clip.frameCount);
-  const MotionGraph whole = buildGraph(counts, edgesFrom(found));
+  std::vector<FrameTransition> transitions = edgesFrom(found);
+  std::erase_if(transitions, [&](const FrameTransition& one) { return blendsAcross(jerks, one); });
+  const MotionGraph whole = buildGraph(steadyFrameCounts(library, jerks), transitions);
   library.graph = withoutPassThroughNodes(largestStronglyConnectedPart(whole));
   report.clips = clipFates(library, found);
   countGraph(whole);
@@ -279,7 +306,10 @@ bool LibraryBuilder::step() {
       state.featuresOfOne();
       break;
     case Stage::kScan:
-      if (!state.scan->step()) state.enter(Stage::kConnect);
+      if (!state.scan->step()) state.enter(Stage::kJerks);
+      break;
+    case Stage::kJerks:
+      state.jerksOfOne();
       break;
     case Stage::kConnect:
       state.connect();
@@ -314,8 +344,10 @@ double LibraryBuilder::progress() const {
       return 0.05 + 0.05 * share(state_->clips.size());
     case Stage::kScan:
       return 0.1 + 0.8 * state_->scan->progress();
+    case Stage::kJerks:
+      return 0.9 + 0.01 * share(state_->library.skeleton.size());
     case Stage::kConnect:
-      return 0.9;
+      return 0.91;
     case Stage::kContacts:
       return 0.92 + 0.06 * share(state_->clips.size());
     case Stage::kSeal:

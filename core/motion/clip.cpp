@@ -20,4 +20,9 @@ void Clip::append(const PoseView& pose) {
   rotations.insert(rotations.end(), pose.rotations.begin(), pose.rotations.end());
 }
 
+ClipSpan wholeOf(const Clip& clip) {
+  STRIDEGRAPH_CHECK(clip.frameCount() > 0);
+  return {&clip, 0, clip.frameCount() - 1};
+}
+
 }  // namespace stridegraph

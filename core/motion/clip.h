@@ -39,4 +39,14 @@ struct Clip {
   void append(const PoseView& pose);
 };
 
+/// Frames first..last of a clip, both ends included; first <= last < frameCount. Borrows the clip.
+struct ClipSpan {
+  const Clip* clip = nullptr;
+  std::size_t first = 0;
+  std::size_t last = 0;
+};
+
+/// All frames of a clip that has some.
+ClipSpan wholeOf(const Clip& clip);
+
 }  // namespace stridegraph

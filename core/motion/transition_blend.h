@@ -27,14 +27,7 @@ struct TransitionBlendParams {
   RootBlend root = RootBlend::kDifferential;
 };
 
-/// Frames first..last of a clip, both ends included; first < last < frameCount. Borrows the clip.
-struct ClipSpan {
-  const Clip* clip = nullptr;
-  std::size_t first = 0;
-  std::size_t last = 0;
-};
-
-/// A transition to be blended. Spans of other than frames - 1 steps are played faster or slower (delta_k of
+/// A transition to be blended. Spans have two frames at least; those of other than frames - 1 steps are played faster or slower (delta_k of
 /// eq. 5.7) and sampled between their frames. Both clips have the same skeleton.
 struct TransitionBlend {
   ClipSpan source;

@@ -15,7 +15,9 @@
 #include "path/path_planner.h"
 #include "scene/scene.h"
 #include "walk/arrival_warp.h"
+#include "walk/foot_cleanup.h"
 #include "walk/motion_search.h"
+#include "walk/source_figures.h"
 
 namespace stridegraph {
 
@@ -32,9 +34,24 @@ struct PlanOptions {
   PlannerKind planner = PlannerKind::kPrm;
   SearchKind search = SearchKind::kGuided;
   bool standing = true;               ///< Begin and end with a standing body where the library can.
+  bool footCleanup = true;            ///< Pin planted feet (FootCleanup); false leaves them as blended.
   double subgoalSpacingMetres = 2.0;  ///< Of the thesis search (5.5), 0.2..20.
   double budgetMilliseconds = 0.0;    ///< For the motion search; 0 means no limit in time.
   MillisecondClock clock;             ///< For timings and the budget.
+};
+
+/// A transition in a walk.
+struct WalkSeam {
+  std::size_t frame = 0;  ///< First frame of the walk that it shows.
+  FrameIndex from, to;    ///< Library frames at both its ends.
+  double distanceMetres = 0.0;
+};
+
+/// How far a walk goes beyond what the library's joints do at most (MotionLimits), and where.
+struct JointRatio {
+  double ratio = 0.0;
+  std::size_t frame = 0;  ///< Of the walk.
+  std::string joint;
 };
 
 /// What happened, in figures (DESIGN, section 4).
@@ -61,6 +78,14 @@ struct PlanReport {
       edges;                     ///< Library frames at both ends of every edge played.
   double clearanceMetres = 0.0;  ///< Smallest, of the disc's rim, along the walk; negative when it collides.
   double footSkateCmPerSecond = 0.0;
+  double footSkateSourceCmPerSecond = 0.0;  ///< The same of the library's clips.
+  double penetrationMetres = 0.0;           ///< How far the lowest foot joint sinks below the clips' floors.
+  std::size_t contacts = 0;                 ///< Stances of all feet that were pinned to one place.
+  double feetCorrectedMeanMetres = 0.0;     ///< How far planted feet were moved,
+  double feetCorrectedWorstMetres = 0.0;    ///< and the farthest.
+  std::vector<std::string> feetLeftAlone;   ///< Contact joints above which no leg could be made out.
+  std::vector<WalkSeam> seams;
+  JointRatio jointSpeed, jointAcceleration;
   double arrivalErrorMetres = 0.0;           ///< From the last root to the goal, over the floor.
   std::optional<Angle> arrivalHeadingError;  ///< From the last facing to the goal's heading, if it has one.
   ArrivalWarp arrivalWarp;                   ///< How the walk's end was bent to get there.
@@ -96,6 +121,8 @@ class WalkPlanner {
   std::shared_ptr<const MotionLibrary> library_;
   SearchGraph graph_;
   ArrivalTable arrivals_;
+  FootCleanup feet_;
+  SourceFigures sources_;
 };
 
 /// The report as the JSON object of DESIGN, section 4.

@@ -5,6 +5,40 @@
 
 namespace stridegraph {
 
+namespace {
+
+nlohmann::ordered_json placeOf(const JointRatio& worst) {
+  return {{"frame", worst.frame}, {"joint", worst.joint}};
+}
+
+nlohmann::ordered_json listOf(const std::vector<WalkSeam>& seams) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const WalkSeam& seam : seams)
+    list.push_back({{"frame", seam.frame},
+                    {"from", seam.from.value},
+                    {"to", seam.to.value},
+                    {"distance_m", seam.distanceMetres}});
+  return list;
+}
+
+/// How clean the motion is.
+void addQuality(const PlanReport& report, nlohmann::ordered_json& json) {
+  json["foot_skate_cm_s"] = report.footSkateCmPerSecond;
+  json["foot_skate_source_cm_s"] = report.footSkateSourceCmPerSecond;
+  json["penetration_cm"] = 100.0 * report.penetrationMetres;
+  json["contacts"] = report.contacts;
+  json["feet_corrected"] = {{"mean_cm", 100.0 * report.feetCorrectedMeanMetres},
+                            {"worst_cm", 100.0 * report.feetCorrectedWorstMetres}};
+  json["feet_left_alone"] = report.feetLeftAlone;
+  json["joint_speed_ratio"] = report.jointSpeed.ratio;
+  json["joint_speed_ratio_at"] = placeOf(report.jointSpeed);
+  json["joint_accel_ratio"] = report.jointAcceleration.ratio;
+  json["joint_accel_ratio_at"] = placeOf(report.jointAcceleration);
+  json["seams"] = listOf(report.seams);
+}
+
+}  // namespace
+
 std::string toJson(const PlanReport& report) {
   nlohmann::ordered_json json;
   json["status"] = planStatusName(report.status);
@@ -29,7 +63,7 @@ std::string toJson(const PlanReport& report) {
   for (const auto& [from, to] : report.edges) edges.push_back({from.value, to.value});
   json["edges"] = std::move(edges);
   json["clearance_m"] = report.clearanceMetres;
-  json["foot_skate_cm_s"] = report.footSkateCmPerSecond;
+  addQuality(report, json);
   json["arrival_error_m"] = report.arrivalErrorMetres;
   if (report.arrivalHeadingError) json["arrival_heading_error_deg"] = report.arrivalHeadingError->degrees();
   json["arrival_warp"] = {{"last_m", report.arrivalWarp.metres},

@@ -12,9 +12,10 @@ namespace {
 
 constexpr double kFootHeightMetres = 0.025;
 
-/// A foot joint's level on the floor: what it stays above in all but 2 % of the frames, with linear
-/// interpolation between the two nearest ranks.
-double floorLevel(std::vector<double> heights) {
+/// What all but 2 % of the heights lie above, with linear interpolation between the two nearest ranks.
+double floorLevel(const std::vector<Vec3>& path) {
+  std::vector<double> heights;
+  for (const Vec3& place : path) heights.push_back(place.y());
   std::sort(heights.begin(), heights.end());
   const double rank = 0.02 * static_cast<double>(heights.size() - 1);
   const auto below = static_cast<std::size_t>(rank);
@@ -24,14 +25,13 @@ double floorLevel(std::vector<double> heights) {
 
 /// Skate of one joint; negative when it is never down.
 double skateOf(const std::vector<Vec3>& positions, double framesPerSecond) {
-  std::vector<double> heights;
-  for (const Vec3& position : positions) heights.push_back(position.y());
-  const double floor = floorLevel(heights);
+  const double floor = floorLevel(positions);
   double sum = 0.0;
   std::size_t down = 0;
   for (std::size_t f = 0; f + 1 < positions.size(); ++f) {
-    if (heights[f] - floor >= kFootHeightMetres || heights[f + 1] - floor >= kFootHeightMetres) continue;
-    const double height = std::max(0.0, heights[f] - floor);
+    if (positions[f].y() - floor >= kFootHeightMetres || positions[f + 1].y() - floor >= kFootHeightMetres)
+      continue;
+    const double height = std::max(0.0, positions[f].y() - floor);
     const double speed = (onFloor(positions[f + 1]) - onFloor(positions[f])).norm() * framesPerSecond * 100.0;
     sum += speed * (2.0 - std::exp2(height / kFootHeightMetres));
     ++down;
@@ -55,22 +55,38 @@ double smallestClearance(const FloorPlan& plan, const Clip& walk) {
   return smallest;
 }
 
-double footSkate(const Skeleton& skeleton, const Clip& walk, std::span<const JointIndex> feet) {
-  if (walk.frameCount() < 2) return 0.0;
-  std::vector<std::vector<Vec3>> positions(feet.size());
-  for (std::size_t f = 0; f < walk.frameCount(); ++f) {
-    const std::vector<Vec3> joints = jointPositions(skeleton, walk.pose(f));
-    for (std::size_t i = 0; i < feet.size(); ++i) positions[i].push_back(joints[feet[i].value]);
+FootPaths footPaths(const Skeleton& skeleton, const ClipSpan& span, std::span<const JointIndex> feet) {
+  FootPaths paths(feet.size());
+  for (std::size_t f = span.first; f <= span.last; ++f) {
+    const std::vector<Vec3> joints = jointPositions(skeleton, span.clip->pose(f));
+    for (std::size_t i = 0; i < feet.size(); ++i) paths[i].push_back(joints[feet[i].value]);
   }
+  return paths;
+}
+
+std::vector<double> footFloors(const FootPaths& paths) {
+  std::vector<double> floors;
+  for (const std::vector<Vec3>& path : paths) floors.push_back(floorLevel(path));
+  return floors;
+}
+
+double footSkate(const FootPaths& paths, double framesPerSecond) {
   double sum = 0.0;
   std::size_t touching = 0;
-  for (const std::vector<Vec3>& foot : positions) {
-    const double skate = skateOf(foot, walk.framesPerSecond);
+  for (const std::vector<Vec3>& path : paths) {
+    const double skate = skateOf(path, framesPerSecond);
     if (skate < 0.0) continue;
     sum += skate;
     ++touching;
   }
   return touching == 0 ? 0.0 : sum / static_cast<double>(touching);
+}
+
+double footPenetration(const FootPaths& paths, std::span<const double> floorsMetres) {
+  double deepest = 0.0;
+  for (std::size_t k = 0; k < paths.size(); ++k)
+    for (const Vec3& place : paths[k]) deepest = std::max(deepest, floorsMetres[k] - place.y());
+  return deepest;
 }
 
 }  // namespace stridegraph

@@ -90,14 +90,22 @@ std::string explainPath(PlanStatus status, double radius) {
   }
 }
 
+/// What is known of a library before any plan.
+struct Prepared {
+  const MotionLibrary& library;
+  const SearchGraph& graph;
+  const ArrivalTable& arrivals;
+  const FootCleanup& feet;
+  const SourceFigures& sources;
+};
+
 /// One plan in the making: each stage fills in its part.
 class Planning {
  public:
-  Planning(const MotionLibrary& library, const SearchGraph& graph, const ArrivalTable& arrivals,
-           const Scene& scene, const PlanOptions& options)
-      : library_(library),
-        graph_(graph),
-        arrivals_(arrivals),
+  Planning(const Prepared& prepared, const Scene& scene, const PlanOptions& options)
+      : library_(prepared.library),
+        graph_(prepared.graph),
+        prepared_(prepared),
         scene_(scene),
         options_(options),
         total_(options.clock) {
@@ -107,8 +115,8 @@ class Planning {
     report.search = options.search;
     report.radiusMetres = options.radiusMetres.value_or(scene.radiusMetres);
     report.goalRadiusMetres = options.goalRadiusMetres;
-    report.unitsPerMetre = library.layout.unitsPerMetre;
-    report.libraryHash = library.hash;
+    report.unitsPerMetre = library_.layout.unitsPerMetre;
+    report.libraryHash = library_.hash;
   }
 
   Plan run() {
@@ -141,7 +149,7 @@ class Planning {
     const MotionQuery query{
         library_,
         graph_,
-        arrivals_,
+        prepared_.arrivals,
         floor,
         scene_.start,
         scene_.goal,
@@ -174,18 +182,42 @@ class Planning {
         report.arrivalWarp = bent->warp;
       }
     }
+    if (options_.footCleanup) cleanFeet(made);
     report.frames = made.clip.frameCount();
     report.durationSeconds = static_cast<double>(report.frames - 1) / made.clip.framesPerSecond;
     report.motionLengthMetres = rootPathLength(made.clip);
     report.clearanceMetres = smallestClearance(floor, made.clip);
-    report.footSkateCmPerSecond = footSkate(library_.skeleton, made.clip, library_.contactJoints);
+    measureMotion(made.clip);
     measureEnds(made.clip);
     report.explanation = caveats();
-    for (const WalkStep& step : motion.steps) noteEdge(step);
+    noteEdges(motion);
     plan_.walk = std::move(made.clip);
     plan_.frameKinds = std::move(made.frameKinds);
     plan_.contacts = std::move(made.contacts);
     report.synthesisMilliseconds = watch.elapsed();
+  }
+
+  void cleanFeet(SynthesisedWalk& walk) {
+    FootCleanupReport done = prepared_.feet.apply(library_, walk);
+    PlanReport& report = plan_.report;
+    report.contacts = done.stances;
+    report.feetCorrectedMeanMetres = done.meanCorrectionMetres;
+    report.feetCorrectedWorstMetres = done.worstCorrectionMetres;
+    report.feetLeftAlone = std::move(done.feetLeftAlone);
+  }
+
+  void measureMotion(const Clip& walk) {
+    PlanReport& report = plan_.report;
+    const FootPaths feet = footPaths(library_.skeleton, wholeOf(walk), library_.contactJoints);
+    report.footSkateCmPerSecond = footSkate(feet, walk.framesPerSecond);
+    report.footSkateSourceCmPerSecond = prepared_.sources.footSkateCmPerSecond;
+    report.penetrationMetres = footPenetration(feet, prepared_.sources.footFloorsMetres);
+    report.jointSpeed = named(worstSpeedRatio(prepared_.sources.limits, walk));
+    report.jointAcceleration = named(worstAccelerationRatio(prepared_.sources.limits, walk));
+  }
+
+  JointRatio named(const WorstRatio& worst) const {
+    return {worst.ratio, worst.frame, library_.skeleton.joints[worst.joint.value].name};
   }
 
   void measureEnds(const Clip& walk) {
@@ -225,22 +257,28 @@ class Planning {
     return fmt::format("{}", fmt::join(sentences, "; "));
   }
 
-  /// Notes which frames of the library a step plays: a clip piece may be entered and left on its way.
-  void noteEdge(const WalkStep& step) {
-    FrameIndex from = step.piece.from;
-    FrameIndex to = step.piece.to;
-    if (step.piece.kind == EdgeKind::kClipPiece) {
-      to = FrameIndex(std::size_t{from.value + step.end});
-      from = FrameIndex(std::size_t{from.value + step.begin});
-    } else {
-      ++plan_.report.transitions;
+  /// Notes which frames of the library the walk plays: a clip piece may be entered and left on its way.
+  void noteEdges(const MotionPath& motion) {
+    PlanReport& report = plan_.report;
+    std::size_t shown = 1;
+    for (const WalkStep& step : motion.steps) {
+      FrameIndex from = step.piece.from;
+      FrameIndex to = step.piece.to;
+      if (step.piece.kind == EdgeKind::kClipPiece) {
+        to = FrameIndex(std::size_t{from.value + step.end});
+        from = FrameIndex(std::size_t{from.value + step.begin});
+      } else {
+        ++report.transitions;
+        report.seams.push_back({shown, from, to, static_cast<double>(step.piece.distanceMetres)});
+      }
+      report.edges.emplace_back(from, to);
+      shown += step.end - step.begin;
     }
-    plan_.report.edges.emplace_back(from, to);
   }
 
   const MotionLibrary& library_;
   const SearchGraph& graph_;
-  const ArrivalTable& arrivals_;
+  const Prepared& prepared_;
   const Scene& scene_;
   const PlanOptions& options_;
   Stopwatch total_;
@@ -252,12 +290,15 @@ class Planning {
 WalkPlanner::WalkPlanner(std::shared_ptr<const MotionLibrary> library)
     : library_(std::move(library)),
       graph_(*library_),
-      arrivals_(graph_, WalkCost{}, library_->frames.framesPerSecond, {}) {}
+      arrivals_(graph_, WalkCost{}, library_->frames.framesPerSecond, {}),
+      feet_(*library_),
+      sources_(sourceFigures(*library_)) {}
 
 Result<Plan> WalkPlanner::plan(const Scene& scene, const PlanOptions& options) const {
   if (auto checked = checkScene(scene); !checked) return fail(std::move(checked));
   if (auto checked = checkOptions(options); !checked) return fail(std::move(checked));
-  return Planning(*library_, graph_, arrivals_, scene, options).run();
+  const Prepared prepared{*library_, graph_, arrivals_, feet_, sources_};
+  return Planning(prepared, scene, options).run();
 }
 
 }  // namespace stridegraph

@@ -23,6 +23,16 @@ const reportMembers = [
   'edges',
   'clearance_m',
   'foot_skate_cm_s',
+  'foot_skate_source_cm_s',
+  'penetration_cm',
+  'contacts',
+  'feet_corrected',
+  'feet_left_alone',
+  'joint_speed_ratio',
+  'joint_speed_ratio_at',
+  'joint_accel_ratio',
+  'joint_accel_ratio_at',
+  'seams',
   'library_hash',
 ]
 

@@ -16,15 +16,22 @@ Clip slidingBody(const Skeleton& skeleton, double stepMetres) {
   return clip;
 }
 
+FootPaths pathsOf(const MotionLibrary& library, const Clip& clip) {
+  return footPaths(library.skeleton, wholeOf(clip), library.contactJoints);
+}
+
+double skateOf(const MotionLibrary& library, const Clip& clip) {
+  return footSkate(pathsOf(library, clip), clip.framesPerSecond);
+}
+
 TEST(FootSkate, isTheSpeedOfAFootThatStaysDown) {
   const MotionLibrary library = testing::threeArcs();
-  EXPECT_NEAR(footSkate(library.skeleton, slidingBody(library.skeleton, 0.01), library.contactJoints), 30.0,
-              1e-6);
+  EXPECT_NEAR(skateOf(library, slidingBody(library.skeleton, 0.01)), 30.0, 1e-6);
 }
 
 TEST(FootSkate, isZeroForAFootThatStands) {
   const MotionLibrary library = testing::threeArcs();
-  EXPECT_EQ(footSkate(library.skeleton, slidingBody(library.skeleton, 0.0), library.contactJoints), 0.0);
+  EXPECT_EQ(skateOf(library, slidingBody(library.skeleton, 0.0)), 0.0);
 }
 
 TEST(FootSkate, leavesOutAFootInTheAir) {
@@ -32,7 +39,20 @@ TEST(FootSkate, leavesOutAFootInTheAir) {
   Clip clip = slidingBody(library.skeleton, 0.01);
   for (std::size_t f = 10; f < 60; ++f) clip.rootPositions[f].y() += 0.1;
   for (std::size_t f = 10; f < 60; ++f) clip.rootPositions[f].x() += 5.0;
-  EXPECT_NEAR(footSkate(library.skeleton, clip, library.contactJoints), 30.0, 1e-6);
+  EXPECT_NEAR(skateOf(library, clip), 30.0, 1e-6);
+}
+
+TEST(FootPenetration, isWhatTheLowestFrameLiesBelowTheFloor) {
+  const MotionLibrary library = testing::threeArcs();
+  Clip clip = slidingBody(library.skeleton, 0.01);
+  const std::vector<double> floors = footFloors(pathsOf(library, clip));
+  ASSERT_EQ(floors.size(), 1U);
+  EXPECT_NEAR(floors[0], 0.0, 1e-9) << "the foot hangs 1 m below a root that is 1 m up";
+  EXPECT_NEAR(footPenetration(pathsOf(library, clip), floors), 0.0, 1e-9);
+  clip.rootPositions[7].y() -= 0.03;
+  EXPECT_NEAR(footPenetration(pathsOf(library, clip), floors), 0.03, 1e-9);
+  clip.rootPositions[7].y() += 0.5;
+  EXPECT_NEAR(footPenetration(pathsOf(library, clip), floors), 0.0, 1e-9);
 }
 
 TEST(RootPathLength, addsUpStepsOnTheFloor) {

@@ -236,17 +236,76 @@ TEST(WalkPlanner, refusesASceneThatIsOutOfRange) {
 TEST(PlanReport, holdsEveryFigureOfTheContract) {
   const auto json = nlohmann::json::parse(toJson(planOf(roomWithGap()).report), nullptr, false);
   ASSERT_TRUE(json.is_object());
-  for (const char* member : {"status",          "seed",          "planner",         "search",
-                             "radius_m",        "goal_radius_m", "units_per_metre", "path_ms",
-                             "motion_ms",       "synthesis_ms",  "total_ms",        "path_length_m",
-                             "motion_length_m", "duration_s",    "frames",          "expansions",
-                             "transitions",     "edges",         "clearance_m",     "foot_skate_cm_s",
-                             "arrival_error_m", "arrival_warp",  "starts_standing", "ends_standing",
-                             "library_hash"}) {
+  for (const char* member : {"status",
+                             "seed",
+                             "planner",
+                             "search",
+                             "radius_m",
+                             "goal_radius_m",
+                             "units_per_metre",
+                             "path_ms",
+                             "motion_ms",
+                             "synthesis_ms",
+                             "total_ms",
+                             "path_length_m",
+                             "motion_length_m",
+                             "duration_s",
+                             "frames",
+                             "expansions",
+                             "transitions",
+                             "edges",
+                             "clearance_m",
+                             "foot_skate_cm_s",
+                             "arrival_error_m",
+                             "arrival_warp",
+                             "starts_standing",
+                             "ends_standing",
+                             "library_hash",
+                             "contacts",
+                             "feet_corrected",
+                             "penetration_cm",
+                             "seams",
+                             "feet_left_alone",
+                             "foot_skate_source_cm_s"}) {
     EXPECT_TRUE(json.contains(member)) << member;
   }
+  for (const char* ratio : {"joint_speed_ratio", "joint_accel_ratio"}) {
+    EXPECT_TRUE(json[ratio].is_number()) << ratio;
+    EXPECT_TRUE(json[std::string(ratio) + "_at"]["frame"].is_number()) << ratio;
+    EXPECT_EQ(json[std::string(ratio) + "_at"]["joint"], "foot") << "the only joint beside the root";
+  }
+  EXPECT_TRUE(json["feet_corrected"]["mean_cm"].is_number());
+  EXPECT_TRUE(json["feet_corrected"]["worst_cm"].is_number());
   EXPECT_EQ(json["status"], "arrived");
   EXPECT_EQ(json["edges"][0].size(), 2U);
+}
+
+TEST(PlanReport, namesFeetThatWereLeftAlone) {
+  EXPECT_EQ(planOf(openRoom()).report.feetLeftAlone, std::vector<std::string>{"foot"});
+  PlanOptions raw;
+  raw.footCleanup = false;
+  EXPECT_TRUE(planOf(openRoom(), raw).report.feetLeftAlone.empty());
+}
+
+TEST(PlanReport, namesEverySeamOfTheWalk) {
+  const Plan plan = planOf(roomWithGap());
+  ASSERT_FALSE(plan.report.seams.empty());
+  EXPECT_EQ(plan.report.seams.size(), plan.report.transitions);
+  for (const WalkSeam& seam : plan.report.seams) {
+    ASSERT_LT(seam.frame, plan.walk.frameCount());
+    EXPECT_EQ(plan.frameKinds[seam.frame], EdgeKind::kTransition);
+    EXPECT_EQ(plan.frameKinds[seam.frame - 1], EdgeKind::kClipPiece);
+    EXPECT_EQ(seam.from.value % testing::kClipFrames, 26U) << "where transitions leave";
+    EXPECT_EQ(seam.to.value % testing::kClipFrames, 14U) << "and arrive";
+    EXPECT_NEAR(seam.distanceMetres, 0.02, 1e-6);
+  }
+}
+
+TEST(PlanReport, findsNoJointBeyondItsClips) {
+  const PlanReport report = planOf(roomWithGap()).report;
+  EXPECT_GT(report.jointSpeed.ratio, 0.5);
+  EXPECT_LE(report.jointSpeed.ratio, 1.0 + 1e-9) << "blends of even steps are slower than the steps";
+  EXPECT_EQ(report.penetrationMetres, 0.0);
 }
 
 }  // namespace

@@ -1,0 +1,227 @@
+#include "walk/footprints.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "math/floor_transform.h"
+
+namespace stridegraph {
+namespace {
+
+/// Rounds in which footprints and corrections settle: millimetres become micrometres.
+constexpr int kSettlingRounds = 30;
+
+double largestHold(const FootTrack& track, std::size_t frame) {
+  double largest = 0.0;
+  for (const std::vector<double>& holds : track.holds) largest = std::max(largest, holds[frame]);
+  return largest;
+}
+
+/// How much a second joint stands: then the foot lies flat and its yaw is that of the footprint.
+double flatness(const FootTrack& track, std::size_t frame) {
+  double largest = 0.0;
+  double second = 0.0;
+  for (const std::vector<double>& holds : track.holds) {
+    second = std::max(second, std::min(largest, holds[frame]));
+    largest = std::max(largest, holds[frame]);
+  }
+  return second;
+}
+
+/// Turns the flat foot to the mean yaw of the stance; where it does not lie flat it is turned as in the
+/// nearest frame before in which it does, or else after.
+std::vector<double> yawCorrections(const FootTrack& track, const FootStance& stance) {
+  Vec2 mean = Vec2::Zero();
+  for (std::size_t f = stance.first; f <= stance.last; ++f)
+    mean += flatness(track, f) * Vec2(std::sin(track.yaws[f]), std::cos(track.yaws[f]));
+  std::vector<double> turns(stance.last - stance.first + 1, 0.0);
+  if (mean.norm() == 0.0) return turns;
+  const double yaw = std::atan2(mean.x(), mean.y());
+  bool seen = false;
+  for (std::size_t i = 0; i < turns.size(); ++i) {
+    const std::size_t frame = stance.first + i;
+    if (flatness(track, frame) > 0.0) {
+      turns[i] = std::remainder(yaw - track.yaws[frame], 2.0 * std::numbers::pi);
+      if (!seen) std::fill(turns.begin(), turns.begin() + static_cast<std::ptrdiff_t>(i), turns[i]);
+      seen = true;
+    } else if (i > 0) {
+      turns[i] = turns[i - 1];
+    }
+  }
+  return turns;
+}
+
+/// Where a contact joint is over the floor once the foot has been turned about its ankle.
+Vec2 turnedPoint(const FootTrack& track, std::size_t point, std::size_t frame, double turn) {
+  const Vec2 ankle = onFloor(track.ankles[frame].position);
+  const Heading heading = Heading::fromAngle(Angle::radians(turn));
+  return ankle + heading.rotate(onFloor(track.points[point][frame]) - ankle);
+}
+
+/// The stance at hand, with the contact joints' places after turning.
+struct Fit {
+  const FootTrack& track;
+  const FootStance& stance;
+  std::vector<std::vector<Vec2>> places;  ///< Contact joint by frame of the stance.
+  std::vector<Vec2> shifts;               ///< For each frame of the stance.
+
+  double hold(std::size_t point, std::size_t i) const { return track.holds[point][stance.first + i]; }
+
+  /// The mean place of each joint while it stands, as shifted.
+  std::vector<Vec2> footprints() const {
+    std::vector<Vec2> prints(places.size(), Vec2::Zero());
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      double weights = 0.0;
+      for (std::size_t i = 0; i < shifts.size(); ++i) {
+        prints[k] += hold(k, i) * (places[k][i] + shifts[i]);
+        weights += hold(k, i);
+      }
+      if (weights > 0.0) prints[k] /= weights;
+    }
+    return prints;
+  }
+
+  /// Shifts that bring the standing joints onto their footprints.
+  void moveOnto(const std::vector<Vec2>& prints) {
+    for (std::size_t i = 0; i < shifts.size(); ++i) {
+      Vec2 sum = Vec2::Zero();
+      double weights = 0.0;
+      for (std::size_t k = 0; k < places.size(); ++k) {
+        sum += hold(k, i) * (prints[k] - places[k][i]);
+        weights += hold(k, i);
+      }
+      shifts[i] = sum / weights;
+    }
+  }
+};
+
+std::vector<Vec2> floorShifts(const FootTrack& track, const FootStance& stance,
+                              const std::vector<double>& turns) {
+  Fit fit{track, stance, {}, std::vector<Vec2>(turns.size(), Vec2::Zero())};
+  for (std::size_t k = 0; k < track.points.size(); ++k) {
+    fit.places.emplace_back();
+    for (std::size_t i = 0; i < turns.size(); ++i)
+      fit.places[k].push_back(turnedPoint(track, k, stance.first + i, turns[i]));
+  }
+  for (int round = 0; round < kSettlingRounds; ++round) fit.moveOnto(fit.footprints());
+  return std::move(fit.shifts);
+}
+
+/// What exceeds `tolerance` >= 0, of either sign.
+double beyond(double value, double tolerance) {
+  return value - std::clamp(value, -tolerance, tolerance);
+}
+
+/// How far the foot goes up through a stance so that its joints stand at their levels, in the mean.
+double liftOf(const FootTrack& track, const FootStance& stance, std::span<const double> levelsMetres) {
+  const std::vector<double> heights = standingHeights(track, stance);
+  double sum = 0.0;
+  double weights = 0.0;
+  for (std::size_t k = 0; k < heights.size(); ++k) {
+    if (std::isnan(heights[k]) || std::isnan(levelsMetres[k])) continue;
+    for (std::size_t f = stance.first; f <= stance.last; ++f) {
+      sum += track.holds[k][f] * (levelsMetres[k] - heights[k]);
+      weights += track.holds[k][f];
+    }
+  }
+  return weights > 0.0 ? sum / weights : 0.0;
+}
+
+PinnedStance pin(const FootTrack& track, const FootStance& stance, std::span<const double> levelsMetres,
+                 const PinParams& params) {
+  const std::vector<double> turns = yawCorrections(track, stance);
+  const std::vector<Vec2> shifts = floorShifts(track, stance, turns);
+  const double up = beyond(liftOf(track, stance, levelsMetres), params.sameLevelMetres);
+  PinnedStance pinned{stance, {}};
+  for (std::size_t i = 0; i < turns.size(); ++i)
+    pinned.corrections.push_back({shifts[i].x(), up, shifts[i].y(), turns[i], 0.0});
+  return pinned;
+}
+
+bool isWithin(const PinnedStance& pinned, const PinParams& params) {
+  return std::all_of(pinned.corrections.begin(), pinned.corrections.end(), [&](const FootCorrection& c) {
+    return std::hypot(c[0], c[2]) <= params.farthestMetres && std::abs(c[3]) <= params.widestTurn.radians();
+  });
+}
+
+bool isPulledAlong(const FootCorrection& before, const FootCorrection& after) {
+  return (after - before).head<3>().norm() > kLargestPlaceSlope ||
+         std::abs(after[3] - before[3]) > kLargestTurnSlope;
+}
+
+/// Without the frames at both ends in which the foot is pulled along.
+PinnedStance trimmed(PinnedStance pinned) {
+  std::vector<FootCorrection>& list = pinned.corrections;
+  std::size_t end = list.size();
+  while (end > 1 && isPulledAlong(list[end - 2], list[end - 1])) --end;
+  std::size_t begin = 0;
+  while (begin + 1 < end && isPulledAlong(list[begin], list[begin + 1])) ++begin;
+  pinned.stance = {pinned.stance.first + begin, pinned.stance.first + end - 1};
+  list = {list.begin() + static_cast<std::ptrdiff_t>(begin), list.begin() + static_cast<std::ptrdiff_t>(end)};
+  return pinned;
+}
+
+void pinOrDivide(const FootTrack& track, const FootStance& stance, std::span<const double> levelsMetres,
+                 const PinParams& params, std::vector<PinnedStance>& result) {
+  if (stance.last - stance.first + 1 < params.leastFrames) return;
+  PinnedStance pinned = pin(track, stance, levelsMetres, params);
+  if (isWithin(pinned, params)) {
+    pinned = trimmed(std::move(pinned));
+    if (pinned.corrections.size() >= params.leastFrames) result.push_back(std::move(pinned));
+    return;
+  }
+  std::size_t fastest = stance.first;
+  for (std::size_t f = stance.first; f <= stance.last; ++f)
+    if (largestHold(track, f) < largestHold(track, fastest)) fastest = f;
+  // The foot needs time to get from the one place to the other.
+  if (fastest > stance.first + params.leastFrames)
+    pinOrDivide(track, {stance.first, fastest - params.leastFrames}, levelsMetres, params, result);
+  if (fastest + params.leastFrames < stance.last)
+    pinOrDivide(track, {fastest + params.leastFrames, stance.last}, levelsMetres, params, result);
+}
+
+}  // namespace
+
+Quat yawTurn(double radians) {
+  return Heading::fromAngle(Angle::radians(radians)).rotation();
+}
+
+std::vector<FootStance> findStances(const FootTrack& track, const PinParams& params) {
+  std::vector<FootStance> stances;
+  bool before = false;
+  for (std::size_t f = 0; f < track.frameCount(); ++f) {
+    const bool stands = largestHold(track, f) > 0.0;
+    if (stands && !before) stances.push_back({f, f});
+    if (stands) stances.back().last = f;
+    before = stands;
+  }
+  std::erase_if(
+      stances, [&](const FootStance& stance) { return stance.last - stance.first + 1 < params.leastFrames; });
+  return stances;
+}
+
+std::vector<double> standingHeights(const FootTrack& track, const FootStance& stance) {
+  std::vector<double> heights;
+  for (std::size_t k = 0; k < track.points.size(); ++k) {
+    double sum = 0.0;
+    double weights = 0.0;
+    for (std::size_t f = stance.first; f <= stance.last; ++f) {
+      sum += track.holds[k][f] * track.points[k][f].y();
+      weights += track.holds[k][f];
+    }
+    heights.push_back(weights > 0.0 ? sum / weights : std::numeric_limits<double>::quiet_NaN());
+  }
+  return heights;
+}
+
+std::vector<PinnedStance> pinStances(const FootTrack& track, std::span<const double> levelsMetres,
+                                     const PinParams& params) {
+  std::vector<PinnedStance> result;
+  for (const FootStance& stance : findStances(track, params))
+    pinOrDivide(track, stance, levelsMetres, params, result);
+  return result;
+}
+
+}  // namespace stridegraph

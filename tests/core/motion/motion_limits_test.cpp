@@ -1,0 +1,112 @@
+#include "motion/motion_limits.h"
+
+#include <gtest/gtest.h>
+
+#include "math/rotation.h"
+#include "motion/test_characters.h"
+
+namespace stridegraph {
+namespace {
+
+using testing::oneLeg;
+using testing::restPose;
+
+constexpr std::size_t kKnee = 1;
+constexpr std::size_t kAnkle = 2;
+
+/// The leg, its knee turned about x by these degrees, frame by frame.
+Clip withKneeAt(const std::vector<double>& degrees) {
+  Clip clip;
+  clip.jointCount = oneLeg().size();
+  Pose pose = restPose(oneLeg(), {0, 1, 0});
+  for (const double angle : degrees) {
+    pose.rotations[kKnee] = axisRotation(Axis::kX, Angle::degrees(angle));
+    clip.append(pose.view());
+  }
+  return clip;
+}
+
+/// `count` frames in which the knee goes on by 1 degree (30 degrees a second) and once by 4.
+std::vector<double> steadyWithOneJump(std::size_t count, std::size_t jumpTo) {
+  std::vector<double> degrees;
+  double angle = 0.0;
+  for (std::size_t f = 0; f < count; ++f) degrees.push_back(angle += f == jumpTo ? 4.0 : 1.0);
+  return degrees;
+}
+
+TurnRates ratesOf(const Clip& clip) {
+  return turnRates(wholeOf(clip), JointIndex(kKnee));
+}
+
+MotionLimits limitsOf(const Clip& clip) {
+  return motionLimits(std::vector{wholeOf(clip)});
+}
+
+TEST(TurnRates, areTheTurnAndItsChangePerSecond) {
+  const TurnRates rates = ratesOf(withKneeAt({0, 1, 3}));
+  ASSERT_EQ(rates.speeds.size(), 2U);
+  ASSERT_EQ(rates.accelerations.size(), 1U);
+  EXPECT_NEAR(rates.speeds[0], Angle::degrees(30).radians(), 1e-9);
+  EXPECT_NEAR(rates.speeds[1], Angle::degrees(60).radians(), 1e-9);
+  EXPECT_NEAR(rates.accelerations[0], Angle::degrees(900).radians(), 1e-7);
+}
+
+TEST(TurnRates, doNotSeeTheSignOfAQuaternion) {
+  Clip clip = withKneeAt({0, 1, 2});
+  Quat& knee = clip.rotationsOf(1)[kKnee];
+  knee.coeffs() = -knee.coeffs();
+  EXPECT_NEAR(ratesOf(clip).accelerations[0], 0.0, 1e-7);
+}
+
+TEST(MotionLimits, areReachedInOneFrameOfAThousand) {
+  std::vector<double> degrees = {0.0};
+  for (int i = 1; i <= 1000; ++i) degrees.push_back(degrees.back() + 0.02 * i);
+  // Speeds are 0.6, 1.2, ... 600 degrees a second; rank 998.001 of 0..999 lies just above the 999th.
+  EXPECT_NEAR(limitsOf(withKneeAt(degrees)).speeds[kKnee], Angle::degrees(599.4006).radians(), 1e-6);
+}
+
+TEST(MotionLimits, areNotSetByASingleJump) {
+  const MotionLimits limits = limitsOf(withKneeAt(steadyWithOneJump(5000, 2000)));
+  EXPECT_NEAR(limits.speeds[kKnee], Angle::degrees(30).radians(), 1e-9);
+}
+
+TEST(MotionLimits, leaveStillJointsTheNoiseOfCapture) {
+  const MotionLimits limits = limitsOf(withKneeAt({0, 1, 2}));
+  EXPECT_EQ(limits.speeds[kAnkle], 0.5);
+  EXPECT_EQ(limits.accelerations[kAnkle], 15.0);
+}
+
+TEST(MotionLimits, sayNothingOfTheRoot) {
+  Clip clip = withKneeAt({0, 0});
+  clip.rotationsOf(1)[0] = axisRotation(Axis::kY, Angle::degrees(90));
+  const MotionLimits limits = limitsOf(withKneeAt({0, 1, 2}));
+  EXPECT_EQ(worstSpeedRatio(limits, clip).ratio, 0.0);
+}
+
+TEST(WorstRatio, namesFrameAndJoint) {
+  const MotionLimits limits = limitsOf(withKneeAt(steadyWithOneJump(5000, 0)));
+  const Clip walk = withKneeAt(steadyWithOneJump(40, 17));
+  const WorstRatio speed = worstSpeedRatio(limits, walk);
+  EXPECT_NEAR(speed.ratio, 4.0, 1e-6);
+  EXPECT_EQ(speed.frame, 17U) << "the frame after the jump";
+  EXPECT_EQ(speed.joint, JointIndex(kKnee));
+  const WorstRatio acceleration = worstAccelerationRatio(limits, walk);
+  EXPECT_NEAR(acceleration.ratio, Angle::degrees(3.0 * 30 * 30).radians() / 15.0, 1e-6);
+  EXPECT_GE(acceleration.frame, 16U) << "where the jump begins or, as jerky, where it ends";
+  EXPECT_LE(acceleration.frame, 17U);
+}
+
+TEST(WorstRatio, isZeroOfASingleFrame) {
+  const MotionLimits limits = limitsOf(withKneeAt({0, 1}));
+  EXPECT_EQ(worstSpeedRatio(limits, withKneeAt({0})).ratio, 0.0);
+  EXPECT_EQ(worstAccelerationRatio(limits, withKneeAt({0})).ratio, 0.0);
+}
+
+TEST(MotionLimits, doNotLookAcrossTheEndsOfSpans) {
+  const Clip clip = withKneeAt({0, 1, 2, 90, 91, 92});
+  const std::vector<ClipSpan> spans = {{&clip, 0, 2}, {&clip, 3, 5}};
+  EXPECT_NEAR(motionLimits(spans).speeds[kKnee], Angle::degrees(30).radians(), 1e-9);
+}
+
+}  // namespace
+}  // namespace stridegraph
