@@ -5,6 +5,7 @@
 #include "base/hash.h"
 #include "scene/scene_json.h"
 #include "state/playback.h"
+#include "state/walk_marks.h"
 
 namespace stridegraph {
 
@@ -40,9 +41,15 @@ nlohmann::json planJson(const AppState& state) {
   const PlanReport& report = state.plan->report;
   nlohmann::json edges = nlohmann::json::array();
   for (const auto& [from, to] : report.edges) edges.push_back({from.value, to.value});
+  nlohmann::json marks = nlohmann::json::array();
+  for (const WalkMark& mark : walkMarks(report))
+    marks.push_back({{"name", mark.name}, {"frame", mark.frame}});
   return {{"status", std::string(planStatusName(report.status))},
           {"edges", edges},
           {"frames", report.frames},
+          {"marks", marks},
+          {"arrival_error_m", report.arrivalErrorMetres},
+          {"ends_standing", report.endsStanding},
           {"path_length_m", report.pathLengthMetres},
           {"motion_length_m", report.motionLengthMetres},
           {"total_ms", report.totalMilliseconds}};

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "state/walk_marks.h"
 #include "ui/panels.h"
 #include "ui/style.h"
 #include "ui/widgets.h"
@@ -36,7 +37,6 @@ void showFigures(const PlanReport& report, const Palette& palette) {
     figure("Walk", fmt::format("{:.2f} m", report.motionLengthMetres), palette);
     figure("Duration", fmt::format("{:.1f} s, {} frames", report.durationSeconds, report.frames), palette);
     figure("Clearance", fmt::format("{:.2f} m", report.clearanceMetres), palette);
-    figure("Foot skate", fmt::format("{:.1f} cm/s", report.footSkateCmPerSecond), palette);
     figure("Transitions", fmt::format("{} of {} edges", report.transitions, report.edges.size()), palette);
   }
   figure("Expansions", fmt::format("{}", report.expansions), palette);
@@ -44,6 +44,33 @@ void showFigures(const PlanReport& report, const Palette& palette) {
   figure("Path planning", fmt::format("{:.1f} ms", report.pathMilliseconds), palette);
   figure("Motion search", fmt::format("{:.1f} ms", report.motionMilliseconds), palette);
   figure("Synthesis", fmt::format("{:.1f} ms", report.synthesisMilliseconds), palette);
+}
+
+/// How clean the walk is; a click on the worst of something shows its frame.
+void showQuality(const AppState& state, const Palette& palette, Commands& commands) {
+  const PlanReport& report = state.plan->report;
+  if (report.status != PlanStatus::kArrived) return;
+  ImGui::Separator();
+  figure("Foot skate",
+         fmt::format("{:.1f} cm/s (clips {:.1f})", report.footSkateCmPerSecond,
+                     report.footSkateSourceCmPerSecond),
+         palette);
+  figure("Feet pinned",
+         fmt::format("{} times, {:.1f} cm", report.contacts, 100.0 * report.feetCorrectedMeanMetres),
+         palette);
+  figure("From the goal",
+         report.arrivalHeadingError
+             ? fmt::format("{:.1f} cm, {:.1f}\xc2\xb0", 100.0 * report.arrivalErrorMetres,
+                           report.arrivalHeadingError->degrees())
+             : fmt::format("{:.1f} cm", 100.0 * report.arrivalErrorMetres),
+         palette);
+  for (const WalkMark& mark : walkMarks(report)) {
+    if (!figureLink(mark.name.c_str(), mark.value, mark.where.c_str(), palette)) continue;
+    Playback playback = state.playback;
+    playback.seconds = static_cast<double>(mark.frame) / state.plan->walk.framesPerSecond;
+    playback.playing = false;
+    commands.push_back(ChangePlayback{playback});
+  }
 }
 
 void showViewOptions(const AppState& state, Commands& commands) {
@@ -83,7 +110,10 @@ void showReportPanel(const AppState& state, const Layout& layout, Commands& comm
                    ImGuiWindowFlags_NoFocusOnAppearing);
   showStatus(state, palette);
   if (!layout.narrow()) {
-    if (state.plan) showFigures(state.plan->report, palette);
+    if (state.plan) {
+      showFigures(state.plan->report, palette);
+      showQuality(state, palette, commands);
+    }
     showViewOptions(state, commands);
   }
   ImGui::End();

@@ -5,6 +5,7 @@
 
 #include "render/marks.h"
 #include "state/playback.h"
+#include "state/walk_marks.h"
 #include "ui/panels.h"
 #include "ui/style.h"
 #include "ui/widgets.h"
@@ -15,6 +16,8 @@ namespace {
 
 constexpr float kTrackHeight = 34.0F;
 constexpr float kKindHeight = 16.0F;
+constexpr float kMarkHeight = 6.0F;
+constexpr std::size_t kMarkReach = 3;  ///< Frames beside a mark that speak of it.
 
 /// Calls `draw(first, last)` for every run of frames for which `holds`.
 template <typename Holds, typename Draw>
@@ -69,6 +72,12 @@ void drawTrack(const AppState& state, const Palette& palette, const Track& track
     y += 8.0F;
     if (y > kTrackHeight) break;
   }
+  for (const WalkMark& mark : walkMarks(plan.report)) {
+    const float at = track.x(static_cast<double>(mark.frame));
+    const float top = track.corner.y - kMarkHeight;
+    list.AddTriangleFilled(ImVec2(at - 4.0F, top), ImVec2(at + 4.0F, top), ImVec2(at, track.corner.y),
+                           asImU32(mark.problem ? palette.problem : palette.accent));
+  }
   const double shown = std::min(state.playback.seconds, state.walkSeconds()) * plan.walk.framesPerSecond;
   const float x = track.x(shown);
   list.AddLine(ImVec2(x, track.corner.y - 3.0F), ImVec2(x, track.corner.y + kTrackHeight),
@@ -91,9 +100,13 @@ void scrub(const AppState& state, const Track& track, Commands& commands) {
     const auto frame = static_cast<std::size_t>(share * static_cast<double>(track.frames - 1));
     const bool blend =
         frame < state.plan->frameKinds.size() && state.plan->frameKinds[frame] == EdgeKind::kTransition;
-    ImGui::SetTooltip("%s", fmt::format("{:.2f} s, frame {}: {}", share * state.walkSeconds(), frame,
-                                        blend ? "blended" : "captured")
-                                .c_str());
+    std::string text = fmt::format("{:.2f} s, frame {}: {}", share * state.walkSeconds(), frame,
+                                   blend ? "blended" : "captured");
+    for (const WalkMark& mark : walkMarks(state.plan->report)) {
+      const std::size_t apart = frame > mark.frame ? frame - mark.frame : mark.frame - frame;
+      if (apart <= kMarkReach) text += fmt::format("\n{}", mark.where);
+    }
+    ImGui::SetTooltip("%s", text.c_str());
   }
 }
 

@@ -185,6 +185,23 @@ void figure(const char* name, const std::string& value, const Palette& palette) 
   ImGui::TextUnformatted(value.c_str());
 }
 
+bool figureLink(const char* name, const std::string& value, const char* tooltip, const Palette& palette) {
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const ImVec2 size(ImGui::GetContentRegionAvail().x, ImGui::GetTextLineHeight());
+  figure(name, value, palette);
+  const ImVec2 after = ImGui::GetCursorScreenPos();
+  ImGui::SetCursorScreenPos(corner);
+  const bool pressed = ImGui::InvisibleButton(name, size);
+  if (ImGui::IsItemHovered()) {
+    ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    ImGui::GetWindowDrawList()->AddRectFilled(corner, ImVec2(corner.x + size.x, corner.y + size.y),
+                                              asImU32(palette.control), 3.0F);
+    ImGui::SetTooltip("%s", tooltip);
+  }
+  ImGui::SetCursorScreenPos(after);
+  return pressed;
+}
+
 bool numberField(const NumberField& field, double& value) {
   ImGui::PushID(field.label);
   ImGui::AlignTextToFramePadding();

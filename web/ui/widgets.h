@@ -48,6 +48,9 @@ void heading(const char* text, const Palette& palette);
 /// A name on the left, its value on the right.
 void figure(const char* name, const std::string& value, const Palette& palette);
 
+/// The same, to be clicked on. Returns whether it was.
+bool figureLink(const char* name, const std::string& value, const char* tooltip, const Palette& palette);
+
 struct NumberField {
   const char* label;
   double step;
