@@ -24,6 +24,7 @@ struct PlanArguments {
   std::string planner = "prm";
   std::string search = "guided";
   bool movingEnds = false;
+  bool rawFeet = false;
   PlanOptions options;
 };
 
@@ -115,7 +116,7 @@ void addPlanCommand(CLI::App& program, int& exitCode) {
       ->add_option("--budget-ms", arguments->options.budgetMilliseconds,
                    "Time for the motion search; 0: no limit")
       ->capture_default_str();
-  command->add_flag("!--raw-feet", arguments->options.footCleanup,
+  command->add_flag("--raw-feet", arguments->rawFeet,
                     "Leave feet as blended, to compare: no pins, no lifting");
   command->add_option("--report", arguments->reportPath, "Write the report (JSON)");
   command->callback([arguments, seed, radius, &exitCode] {
@@ -123,6 +124,7 @@ void addPlanCommand(CLI::App& program, int& exitCode) {
     if (seed->count() > 0) options.seed = arguments->seed;
     if (radius->count() > 0) options.radiusMetres = arguments->radiusMetres;
     options.standing = !arguments->movingEnds;
+    options.footCleanup = !arguments->rawFeet;
     options.planner = *plannerFromName(arguments->planner);
     options.search = *searchFromName(arguments->search);
     options.clock = millisecondsNow;

@@ -24,13 +24,6 @@ bool changesAbruptly(const TurnRates& rates, std::size_t step, double largestCha
          (step + 1 < rates.speeds.size() && isAbrupt(step, step + 1));
 }
 
-bool crosses(std::span<const Jerk> jerks, std::uint32_t first, std::uint32_t last) {
-  const auto jerk =
-      std::lower_bound(jerks.begin(), jerks.end(), first,
-                       [](const Jerk& one, std::uint32_t frame) { return one.frame.value < frame; });
-  return jerk != jerks.end() && jerk->frame.value < last;
-}
-
 }  // namespace
 
 std::vector<ClipSpan> clipSpans(const MotionLibrary& library) {
@@ -61,6 +54,15 @@ std::vector<Jerk> findJerks(const MotionLibrary& library, JointIndex joint, cons
   return jerks;
 }
 
+std::vector<Jerk> findJerks(const MotionLibrary& library) {
+  std::vector<Jerk> jerks;
+  for (std::size_t j = 0; j < library.skeleton.size(); ++j) {
+    const std::vector<Jerk> ofJoint = findJerks(library, JointIndex(j));
+    jerks.insert(jerks.end(), ofJoint.begin(), ofJoint.end());
+  }
+  return farthestByFrame(std::move(jerks));
+}
+
 std::vector<Jerk> farthestByFrame(std::vector<Jerk> jerks) {
   std::sort(jerks.begin(), jerks.end(), [](const Jerk& a, const Jerk& b) {
     if (a.frame != b.frame) return a.frame < b.frame;
@@ -86,9 +88,17 @@ std::vector<std::uint32_t> steadyFrameCounts(const MotionLibrary& library, std::
   return counts;
 }
 
+bool playsAcross(std::span<const Jerk> jerks, FrameIndex first, FrameIndex last) {
+  const auto jerk = std::lower_bound(jerks.begin(), jerks.end(), first,
+                                     [](const Jerk& one, FrameIndex frame) { return one.frame < frame; });
+  return jerk != jerks.end() && jerk->frame < last;
+}
+
 bool blendsAcross(std::span<const Jerk> jerks, const FrameTransition& transition) {
-  return crosses(jerks, transition.from.value, transition.from.value + transition.sourceSpan) ||
-         crosses(jerks, transition.to.value - transition.targetSpan, transition.to.value);
+  const std::size_t from = transition.from.value;
+  const std::size_t to = transition.to.value;
+  return playsAcross(jerks, FrameIndex(from), FrameIndex(from + transition.sourceSpan)) ||
+         playsAcross(jerks, FrameIndex(to - transition.targetSpan), FrameIndex(to));
 }
 
 }  // namespace stridegraph

@@ -32,12 +32,18 @@ std::vector<ClipSpan> clipSpans(const MotionLibrary& library);
 /// The jerks of one joint against its limit over all clips, by frame; none of the root.
 std::vector<Jerk> findJerks(const MotionLibrary& library, JointIndex joint, const JerkParams& params = {});
 
+/// Those of all joints, as farthestByFrame() leaves them.
+std::vector<Jerk> findJerks(const MotionLibrary& library);
+
 /// By frame, and for each frame only the joint that turns farthest.
 std::vector<Jerk> farthestByFrame(std::vector<Jerk> jerks);
 
 /// How many frames each stretch has within which nothing is jerked: clips are divided at the jerks
 /// (ascending), so that buildGraph() lets no piece of a clip play across one.
 std::vector<std::uint32_t> steadyFrameCounts(const MotionLibrary& library, std::span<const Jerk> jerks);
+
+/// Whether a jerk lies between two of the frames first..last.
+bool playsAcross(std::span<const Jerk> jerks, FrameIndex first, FrameIndex last);
 
 /// Whether a transition blends frames from both sides of a jerk.
 bool blendsAcross(std::span<const Jerk> jerks, const FrameTransition& transition);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/check.h"
+#include "graph/jerks.h"
 #include "walk/piece_motion.h"
 #include "walk/standing.h"
 
@@ -29,7 +30,7 @@ struct Link {
 class SearchGraphBuilder {
  public:
   SearchGraphBuilder(const MotionLibrary& library, SearchGraph& graph)
-      : library_(library), graph_(graph), standing_(standingFrames(library)) {}
+      : library_(library), graph_(graph), standing_(standingFrames(library)), jerks_(findJerks(library)) {}
 
   void build() {
     STRIDEGRAPH_CHECK(!library_.graph.nodes.empty());
@@ -71,7 +72,7 @@ class SearchGraphBuilder {
       if (n + 1 < nodes.size() && nodes[n + 1].value < end) continue;
       std::uint32_t settled = nodes[n].value + 1;
       while (settled < end && standing_[settled] != Standing::kSettled) ++settled;
-      if (settled >= end) continue;
+      if (settled >= end || playsAcross(jerks_, nodes[n], FrameIndex(std::size_t{settled}))) continue;
       linksFrom_[n].push_back(static_cast<std::uint32_t>(links_.size()));
       addLink(clipPiece(nodes[n], FrameIndex(std::size_t{settled})), kNone);
     }
@@ -149,9 +150,11 @@ class SearchGraphBuilder {
       if (link.piece.kind == EdgeKind::kClipPiece && link.to != kNone) addStartsOn(link);
     }
     for (std::size_t n = 0; n < nodes.size(); ++n) {
-      const std::size_t first = library_.clipOf(nodes[n]).firstFrame;
-      const bool isFirst = n == 0 || nodes[n - 1].value < first;
-      if (!isFirst || nodes[n].value == first) continue;
+      std::size_t first = library_.clipOf(nodes[n]).firstFrame;
+      if (n > 0 && nodes[n - 1].value >= first) continue;
+      for (const Jerk& jerk : jerks_)
+        if (jerk.frame.value >= first && jerk.frame < nodes[n]) first = jerk.frame.value + 1;
+      if (nodes[n].value == first) continue;
       const MotionPiece runIn = clipPiece(FrameIndex(first), nodes[n]);
       addStartsOn({runIn, pieceTrack(library_, runIn), static_cast<std::uint32_t>(n)});
     }
@@ -160,6 +163,7 @@ class SearchGraphBuilder {
   const MotionLibrary& library_;
   SearchGraph& graph_;
   std::vector<Standing> standing_;
+  std::vector<Jerk> jerks_;  ///< The graph avoids them; ways outside of it have to as well.
   std::vector<Link> links_;
   std::vector<std::vector<std::uint32_t>> linksFrom_;  ///< For each node of the library's graph.
   std::vector<std::uint32_t> decisionOf_;              ///< Library node -> decision node.

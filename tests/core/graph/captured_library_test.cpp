@@ -39,19 +39,22 @@ TEST(CapturedWalks, ofCmu16KeepMostOfTheirFramesInOnePart) {
   if (captures("cmu16_walk").empty()) GTEST_SKIP() << testing::kNoCaptures;
   const BuiltLibrary built = builtFrom("cmu16_walk");
   EXPECT_EQ(faultIn(built.library).value_or(""), "");
-  // An independent experiment found 3094 transitions and kept 1857 of them in 24 of the 26 clips.
+  // An independent experiment found 3094 transitions and kept 1857 of them in 24 of the 26 clips. The one
+  // more that is lost here is 16_29, whose foot slips so early that neither part of it is long enough.
   EXPECT_NEAR(static_cast<double>(built.report.transitionsBeforePruning), 3094.0, 250.0);
   EXPECT_NEAR(static_cast<double>(built.report.transitions), 1857.0, 150.0);
   EXPECT_GT(built.report.survivingShare, 0.64);
   EXPECT_EQ(std::count_if(built.report.clips.begin(), built.report.clips.end(),
                           [](const ClipFate& fate) { return fate.survivingFrames > 0; }),
-            24);
+            23);
   EXPECT_NEAR(built.library.facingOffset.angle().degrees(), -0.6, 0.1);
   EXPECT_EQ(built.library.contactJoints.size(), 6U);
   EXPECT_GT(standingShare(built.library), 0.99);
-  // The arm that jumps by 81 degrees after its first frame is named, and nothing else is cut.
-  ASSERT_EQ(built.report.warnings.size(), 1U);
+  // The arm that jumps by 81 degrees after its first frame is named, and two joints that slip.
+  ASSERT_EQ(built.report.warnings.size(), 3U);
   EXPECT_NE(built.report.warnings[0].message.find("rhumerus turns 81 degrees from frame 0 to 1"),
+            std::string::npos);
+  EXPECT_NE(built.report.warnings[2].message.find("lfoot slips by 45 degrees from frame 25 to 26"),
             std::string::npos);
   EXPECT_EQ(readSgraph(writeSgraph(built.library))->hash, built.library.hash);
 }
@@ -75,7 +78,11 @@ TEST(CapturedWalks, connectBetterWhenMirrored) {
   EXPECT_EQ(built.library.clips.size(), 52U);
   EXPECT_NEAR(static_cast<double>(built.report.transitionsBeforePruning), 11754.0, 900.0);
   EXPECT_NEAR(built.library.facingOffset.angle().degrees(), 0.0, 0.05);
-  for (const ClipFate& fate : built.report.clips) EXPECT_GT(fate.survivingFrames, 0U) << fate.name;
+  for (const ClipFate& fate : built.report.clips) {
+    // Its foot slips: neither part is long enough to connect.
+    const bool slips = fate.name.starts_with("16_29");
+    EXPECT_EQ(fate.survivingFrames > 0U, !slips) << fate.name;
+  }
 }
 
 TEST(CapturedWalks, areComparedAsTheReferenceDoes) {

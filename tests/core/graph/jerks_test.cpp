@@ -76,6 +76,24 @@ TEST(FarthestByFrame, keepsOneJerkForEachFrame) {
   EXPECT_EQ(jerks[1].joint, JointIndex(std::size_t{3}));
 }
 
+TEST(FindJerks, looksAtAllJoints) {
+  const MotionLibrary library = libraryOf({withSlip(0, 0), withSlip(700, 20)});
+  const std::vector<Jerk> jerks = findJerks(library);
+  ASSERT_EQ(jerks.size(), 1U);
+  EXPECT_EQ(jerks[0].frame, armJerks(library)[0].frame);
+}
+
+TEST(PlaysAcross, needsFramesOnBothSidesOfAJerk) {
+  const std::vector<Jerk> jerks = {{FrameIndex(std::size_t{20}), {}, {}}};
+  const auto across = [&](std::size_t first, std::size_t last) {
+    return playsAcross(jerks, FrameIndex(first), FrameIndex(last));
+  };
+  EXPECT_TRUE(across(20, 21));
+  EXPECT_TRUE(across(3, 90));
+  EXPECT_FALSE(across(3, 20));
+  EXPECT_FALSE(across(21, 90));
+}
+
 TEST(SteadyFrameCounts, divideClipsAtJerks) {
   const MotionLibrary library = libraryOf({walkOf({.frames = 50}), walkOf({.frames = 30})});
   const std::vector<Jerk> jerks = {{FrameIndex(std::size_t{9}), {}, {}},
