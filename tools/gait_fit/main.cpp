@@ -38,9 +38,10 @@ struct Measured {
   GaitTable table;
 };
 
-int refuse(const Error& error, int code) {
+int refuse(const Error& error) {
   fmt::print(stderr, "gait_fit: {}\n", describe(error));
-  return code;
+  const bool cannotFit = error.code == ErrorCode::kClipTooShort || error.code == ErrorCode::kInvalidArgument;
+  return cannotFit ? kRefused : kWrongUse;
 }
 
 Result<std::vector<Clip>> readClips(const std::vector<std::string>& paths, Gait gait) {
@@ -62,6 +63,8 @@ Result<std::vector<Clip>> readClips(const std::vector<std::string>& paths, Gait 
 
 Result<Measured> measure(std::vector<Clip> clips, const FitParams& params, double reach) {
   auto fit = fitGait(std::move(clips), params);
+  if (!fit && fit.error().place.file.empty())
+    fit.error().place.file = params.gait == Gait::kWalk ? "--walk" : "--jog";
   if (!fit) return fail(std::move(fit));
   auto laws = measureSideLaws(*fit);
   if (!laws) return fail(std::move(laws));
@@ -99,33 +102,53 @@ Result<void> writeTables(const FitArguments& arguments, const FittedTables& tabl
 
 int run(const FitArguments& arguments) {
   auto walks = readClips(arguments.walkPaths, Gait::kWalk);
-  if (!walks) return refuse(walks.error(), kWrongUse);
+  if (!walks) return refuse(walks.error());
   auto jogs = readClips(arguments.jogPaths, Gait::kJog);
-  if (!jogs) return refuse(jogs.error(), kWrongUse);
+  if (!jogs) return refuse(jogs.error());
   auto standing = measureStanding(*walks);
-  if (!standing) return refuse(standing.error(), kRefused);
+  if (!standing) return refuse(standing.error());
   auto walk = measure(std::move(*walks), arguments.walk, arguments.walkReach);
-  if (!walk) return refuse(walk.error(), kRefused);
+  if (!walk) return refuse(walk.error());
   auto jog = measure(std::move(*jogs), arguments.jog, arguments.jogReach);
-  if (!jog) return refuse(jog.error(), kRefused);
+  if (!jog) return refuse(jog.error());
   const auto written = writeTables(arguments, {walk->table, jog->table, *standing, arguments.origin});
-  if (!written) return refuse(written.error(), kWrongUse);
+  if (!written) return refuse(written.error());
   if (arguments.heldOutFolder.empty()) return kDone;
   const auto evaluated = writeHeldOut(arguments.heldOutFolder, *walk, *jog);
-  return evaluated ? kDone : refuse(evaluated.error(), kRefused);
+  return evaluated ? kDone : refuse(evaluated.error());
 }
 
-/// One option for both gaits.
-void addShared(CLI::App& program, FitArguments& arguments, const std::string& name,
-               const std::function<double&(FitParams&)>& member, const std::string& help) {
-  program
-      .add_option_function<double>(
-          name,
-          [&arguments, member](const double& value) {
-            member(arguments.walk) = member(arguments.jog) = value;
-          },
-          help)
-      ->default_str(fmt::format("{:g}", member(arguments.walk)));
+/// A number for both gaits, within a range.
+struct SharedOption {
+  std::string name;
+  std::function<double&(FitParams&)> member;
+  double low;
+  double high;
+  std::string help;
+};
+
+void addShared(CLI::App& program, FitArguments& arguments, const SharedOption& option) {
+  const auto set = [&arguments, member = option.member](const double& value) {
+    member(arguments.walk) = member(arguments.jog) = value;
+  };
+  program.add_option_function<double>(option.name, set, option.help)
+      ->check(CLI::Range(option.low, option.high))
+      ->default_str(fmt::format("{:g}", option.member(arguments.walk)));
+}
+
+void addSharedOptions(CLI::App& program, FitArguments& arguments) {
+  const std::vector<SharedOption> options = {
+      {"--ridge", [](FitParams& p) -> double& { return p.series.ridge; }, 0.0, 1e6,
+       "Penalty on the main coefficients, frames"},
+      {"--rate-ridge", [](FitParams& p) -> double& { return p.series.rateRidge; }, 0.0, 1e6,
+       "Penalty on those of rates of change and products, frames"},
+      {"--upper-offset-share", [](FitParams& p) -> double& { return p.series.upperOffsetShare; }, 0.0, 1.0,
+       "Share of a clip's mean put down to the single take, above the pelvis"},
+      {"--lower-offset-share", [](FitParams& p) -> double& { return p.series.lowerOffsetShare; }, 0.0, 1.0,
+       "The same, pelvis and legs"},
+      {"--stiffness", [](FitParams& p) -> double& { return p.phase.stiffness; }, 1e-3, 1e6,
+       "Penalty on second differences of the phase"}};
+  for (const SharedOption& option : options) addShared(program, arguments, option);
 }
 
 void addOptions(CLI::App& program, FitArguments& arguments) {
@@ -150,22 +173,7 @@ void addOptions(CLI::App& program, FitArguments& arguments) {
   program.add_option("--jog-reach", arguments.jogReach, "The same for the jog")
       ->check(CLI::Range(0.9, 1.0))
       ->capture_default_str();
-  addShared(
-      program, arguments, "--ridge", [](FitParams& p) -> double& { return p.series.ridge; },
-      "Penalty on the main coefficients, frames");
-  addShared(
-      program, arguments, "--rate-ridge", [](FitParams& p) -> double& { return p.series.rateRidge; },
-      "Penalty on those of rates of change and products, frames");
-  addShared(
-      program, arguments, "--upper-offset-share",
-      [](FitParams& p) -> double& { return p.series.upperOffsetShare; },
-      "Share of a clip's mean put down to the single take, above the pelvis");
-  addShared(
-      program, arguments, "--lower-offset-share",
-      [](FitParams& p) -> double& { return p.series.lowerOffsetShare; }, "The same, pelvis and legs");
-  addShared(
-      program, arguments, "--stiffness", [](FitParams& p) -> double& { return p.phase.stiffness; },
-      "Penalty on second differences of the phase");
+  addSharedOptions(program, arguments);
 }
 
 }  // namespace

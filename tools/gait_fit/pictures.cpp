@@ -150,7 +150,7 @@ Picture drawLean(const GaitFit& fit, const GaitTable& table, const std::string& 
   Drawing drawing(kWidth, kHeight);
   drawing.legend("lean of the trunk over the standing foot, degrees, against sideways acceleration, m/s^2");
   const auto place = [&](double sideways, double degrees) {
-    return Vec2(0.5 * kWidth + 70.0 * sideways, 0.5 * kHeight - 6.0 * degrees);
+    return Vec2(0.5 * kWidth + 70.0 * sideways, 0.5 * kHeight - 5.0 * degrees);
   };
   drawing.line(place(-4, 0), place(4, 0), "#ddd", 1.0);
   drawing.line(place(0, -28), place(0, 28), "#ddd", 1.0);
