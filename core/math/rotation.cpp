@@ -50,6 +50,18 @@ Quat slerp(const Quat& from, const Quat& to, double fraction) {
   return from.slerp(fraction, to).normalized();
 }
 
+Quat fromRotationVector(const Vec3& vector) {
+  const double angle = vector.norm();
+  return angle > 1e-12 ? Quat(Eigen::AngleAxisd(angle, vector / angle)) : Quat::Identity();
+}
+
+Vec3 toRotationVector(const Quat& rotation) {
+  const double sine = rotation.vec().norm();
+  if (sine < 1e-12) return Vec3::Zero();
+  const double sign = rotation.w() < 0.0 ? -1.0 : 1.0;
+  return rotation.vec() * (sign * 2.0 * std::atan2(sine, sign * rotation.w()) / sine);
+}
+
 Angle angleBetween(const Quat& a, const Quat& b) {
   return Angle::radians(a.angularDistance(b));
 }

@@ -25,6 +25,11 @@ std::array<Angle, 3> toEuler(const EulerOrder& order, const Quat& rotation);
 /// Spherical linear interpolation along the shorter arc, eq. 5.10; fraction in 0..1.
 Quat slerp(const Quat& from, const Quat& to, double fraction);
 
+/// Axis times angle in radians (the exponential map of rotations), and back. The angle that comes back lies
+/// in 0..pi.
+Quat fromRotationVector(const Vec3& vector);
+Vec3 toRotationVector(const Quat& rotation);
+
 /// The angle of the rotation that leads from one to the other, 0..pi.
 Angle angleBetween(const Quat& a, const Quat& b);
 

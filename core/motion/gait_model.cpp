@@ -9,8 +9,6 @@
 namespace stridegraph {
 namespace {
 
-constexpr std::size_t kHarmonics = 5;
-
 /// The captured body was about to start or had just stopped when it stood: knees bent by 30 degrees. Somebody
 /// who waits stands up: this much higher, metres.
 constexpr double kStraightening = 0.020;
@@ -18,30 +16,21 @@ constexpr double kStraightening = 0.020;
 constexpr Angle kFlatFootPitch = Angle::degrees(12.57);
 constexpr double kFlatAnkleMetres = 0.0657;
 
-/// What a curve is multiplied with: regressors and basis of the series.
+/// What a curve is multiplied with.
 struct CurveInput {
-  std::array<double, 4> regressors;
-  std::array<double, 2 * kHarmonics + 1> basis;
+  std::array<double, kGaitRegressorCount> regressors;
+  std::array<double, kGaitTermCount> harmonics;
 };
 
 CurveInput curveInput(const GaitTable& table, const GaitState& state) {
-  CurveInput input{};
-  input.regressors = {1.0, state.speed - table.referenceSpeed, state.turnRate,
-                      state.turnRate * state.turnRate};
-  input.basis[0] = 1.0;
-  for (std::size_t k = 1; k <= kHarmonics; ++k) {
-    const double angle = static_cast<double>(k) * state.phase;
-    input.basis[2 * k - 1] = std::cos(angle);
-    input.basis[2 * k] = std::sin(angle);
-  }
-  return input;
+  return {gaitRegressors(table.referenceSpeed, state), gaitHarmonics(state.phase)};
 }
 
 double evaluate(const GaitCurve& curve, const CurveInput& input) {
   double value = 0.0;
   for (std::size_t r = 0; r < curve.size(); ++r) {
     double series = 0.0;
-    for (std::size_t h = 0; h < input.basis.size(); ++h) series += curve[r][h] * input.basis[h];
+    for (std::size_t h = 0; h < input.harmonics.size(); ++h) series += curve[r][h] * input.harmonics[h];
     value += input.regressors[r] * series;
   }
   return value * kGaitTableUnit;
@@ -49,11 +38,6 @@ double evaluate(const GaitCurve& curve, const CurveInput& input) {
 
 Quat quaternion(const std::array<double, 4>& wxyz) {
   return Quat(wxyz[0], wxyz[1], wxyz[2], wxyz[3]).normalized();
-}
-
-Quat fromRotationVector(const Vec3& vector) {
-  const double angle = vector.norm();
-  return angle > 1e-12 ? Quat(Eigen::AngleAxisd(angle, vector / angle)) : Quat::Identity();
 }
 
 Quat mirrored(const Quat& q) {
@@ -67,7 +51,6 @@ Quat storedRotation(const GaitTable& table, std::size_t joint, const CurveInput&
              {evaluate(curves[0], input), evaluate(curves[1], input), evaluate(curves[2], input)});
 }
 
-/// The left or central joint that each stored rotation belongs to.
 constexpr std::array<GaitJoint, kStoredJointCount> kStoredAs = {
     GaitJoint::kPelvis,      GaitJoint::kThorax,     GaitJoint::kHead,
     GaitJoint::kLeftFemur,   GaitJoint::kLeftTibia,  GaitJoint::kLeftFoot,
@@ -84,10 +67,39 @@ Pose poseWithToes() {
 
 }  // namespace
 
+GaitState mirrored(const GaitState& state) {
+  return {state.phase + std::numbers::pi, state.speed, -state.turnRate, -state.turnAcceleration,
+          state.acceleration};
+}
+
+std::array<double, kGaitRegressorCount> gaitRegressors(double referenceSpeed, const GaitState& state) {
+  const double u = state.speed - referenceSpeed;
+  const double w = state.turnRate;
+  return {1.0,   u,    w, w * w, state.turnAcceleration, state.acceleration, w * state.turnAcceleration,
+          u * w, u * u};
+}
+
+std::array<double, kGaitTermCount> gaitHarmonics(double phase) {
+  std::array<double, kGaitTermCount> terms{1.0};
+  for (std::size_t k = 1; k <= kGaitHarmonics; ++k) {
+    const double angle = static_cast<double>(k) * phase;
+    terms[2 * k - 1] = std::cos(angle);
+    terms[2 * k] = std::sin(angle);
+  }
+  return terms;
+}
+
+GaitJoint gaitJointOf(StoredJoint joint) {
+  return kStoredAs[static_cast<std::size_t>(joint)];
+}
+
 Pose gaitPose(Gait gait, const GaitState& state) {
-  const GaitTable& table = gaitTable(gait);
+  return gaitPose(gaitTable(gait), state);
+}
+
+Pose gaitPose(const GaitTable& table, const GaitState& state) {
   const CurveInput left = curveInput(table, state);
-  const CurveInput right = curveInput(table, {state.phase + std::numbers::pi, state.speed, -state.turnRate});
+  const CurveInput right = curveInput(table, mirrored(state));
   Pose pose = poseWithToes();
   for (std::size_t j = 0; j < kStoredJointCount; ++j) {
     pose.rotations[indexOf(kStoredAs[j])] = storedRotation(table, j, left);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "math/angle.h"
 #include "motion/clip.h"
 #include "motion/gait_skeleton.h"
@@ -13,7 +15,18 @@ struct GaitState {
   double phase = 0.0;     ///< rad; 0 when the left foot is foremost, grows by 2 pi with every two steps
   double speed = 0.0;     ///< m/s along the path; measured at 0.5..2.3 (walk) and 1.6..3.3 (jog)
   double turnRate = 0.0;  ///< rad/s, positive to the left (headings grow from +z towards +x)
+  double turnAcceleration = 0.0;  ///< rad/s^2
+  double acceleration = 0.0;      ///< m/s^2 along the path
 };
+
+/// The same moment of the mirrored walk: half a cycle later, turning the other way.
+GaitState mirrored(const GaitState& state);
+
+/// The factors that a GaitCurve's series are multiplied with, in their order.
+std::array<double, kGaitRegressorCount> gaitRegressors(double referenceSpeed, const GaitState& state);
+
+/// 1, cos phase, sin phase .. cos 5 phase, sin 5 phase: what a series' terms are multiplied with.
+std::array<double, kGaitTermCount> gaitHarmonics(double phase);
 
 /// The phases between which a foot is down, rad; off - on in 0..2 pi.
 struct ContactPhases {
@@ -27,6 +40,12 @@ struct ContactPhases {
 /// the root's place is (lateral, height, forward) in that frame. Mirrored exactly when phase moves by pi and
 /// the turn rate changes sign.
 Pose gaitPose(Gait gait, const GaitState& state);
+
+/// The same from any table.
+Pose gaitPose(const GaitTable& table, const GaitState& state);
+
+/// The left or central joint that each stored rotation belongs to.
+GaitJoint gaitJointOf(StoredJoint joint);
 
 /// The mean pose of standing still, mirror-symmetrical, in the same frame.
 Pose standingPose();

@@ -12,9 +12,18 @@ enum class Gait { kWalk, kJog };
 /// Unit of the stored coefficients: 1e-4 rad for rotation vectors, 1e-4 m for offsets.
 inline constexpr double kGaitTableUnit = 1e-4;
 
-/// A quantity over the gait cycle: for each regressor 1, u, w, w^2 (u = speed - referenceSpeed in m/s, w =
-/// turn rate in rad/s) a Fourier series c0, c1, s1 .. c5, s5 in the phase.
-using GaitCurve = std::array<std::array<std::int16_t, 11>, 4>;
+/// What a quantity of the gait depends on, linearly: 1, u, w, w^2, w', u', w w', u w, u^2, where u = speed -
+/// referenceSpeed in m/s, w = turn rate in rad/s, and w', u' their changes in a second. Rates of change tell
+/// entering a turn from leaving it and setting off from slowing down.
+inline constexpr std::size_t kGaitRegressorCount = 9;
+
+/// Harmonics of a Fourier series, and its terms c0, c1, s1 .. c5, s5. Feet need the fifth; more changes
+/// nothing.
+inline constexpr std::size_t kGaitHarmonics = 5;
+inline constexpr std::size_t kGaitTermCount = 2 * kGaitHarmonics + 1;
+
+/// A quantity over the gait cycle: for each regressor a Fourier series in the phase.
+using GaitCurve = std::array<std::array<std::int16_t, kGaitTermCount>, kGaitRegressorCount>;
 
 /// Rotations that the table stores: central joints and those of the left side, in this order. The right side
 /// follows by mirroring.

@@ -1,10 +1,10 @@
 #include "motion/motion_limits.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "base/check.h"
+#include "math/rotation.h"
 
 namespace stridegraph {
 namespace {
@@ -13,14 +13,6 @@ constexpr double kUsualShare = 0.999;
 /// Noise of capture on joints that are held still.
 constexpr double kStillSpeed = 0.5;          // rad/s
 constexpr double kStillAcceleration = 15.0;  // rad/s^2
-
-/// Axis times angle of the shorter turn.
-Vec3 rotationVector(const Quat& turn) {
-  const double sine = turn.vec().norm();
-  if (sine < 1e-12) return Vec3::Zero();
-  const double angle = 2.0 * std::atan2(sine, std::abs(turn.w()));
-  return turn.vec() * (std::copysign(angle, turn.w()) / sine);
-}
 
 /// Between the two nearest ranks, linearly; 0 without values.
 double percentile(std::vector<double>& values, double share) {
@@ -59,7 +51,7 @@ TurnRates turnRates(const ClipSpan& span, JointIndex joint) {
   for (std::size_t f = span.first; f < span.last; ++f) {
     const Quat turn =
         clip.pose(f).rotations[joint.value].conjugate() * clip.pose(f + 1).rotations[joint.value];
-    const Vec3 velocity = rotationVector(turn) * clip.framesPerSecond;
+    const Vec3 velocity = toRotationVector(turn) * clip.framesPerSecond;
     rates.speeds.push_back(velocity.norm());
     if (f > span.first) rates.accelerations.push_back((velocity - before).norm() * clip.framesPerSecond);
     before = velocity;

@@ -18,7 +18,7 @@ buildTree() {
 
 buildPrograms() {
   note "building the programs"
-  buildTree release stridegraph
+  buildTree release stridegraph gait_fit
 }
 
 # The library that the page opens with: synthesised clips, no captured ones. Made again when the program is newer.

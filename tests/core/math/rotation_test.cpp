@@ -52,6 +52,19 @@ TEST(Slerp, takesTheShorterArcWhateverTheSigns) {
   EXPECT_NEAR(angleBetween(from, slerp(from, to, 0.5)).degrees(), 10.0, 1e-6);
 }
 
+TEST(RotationVector, givesBackAxisAndAngleWhateverTheSign) {
+  Random random(7);
+  for (int i = 0; i < 200; ++i) {
+    const Vec3 vector(random.uniform(-1.8, 1.8), random.uniform(-1.8, 1.8), random.uniform(-1.7, 1.7));
+    Quat rotation = fromRotationVector(vector);
+    EXPECT_NEAR(rotation.norm(), 1.0, 1e-12);
+    if (i % 2 == 1) rotation.coeffs() = -rotation.coeffs();
+    EXPECT_LT((toRotationVector(rotation) - vector).norm(), 1e-9);
+  }
+  EXPECT_EQ(toRotationVector(Quat::Identity()), Vec3::Zero());
+  EXPECT_TRUE(fromRotationVector(Vec3::Zero()).isApprox(Quat::Identity()));
+}
+
 TEST(SeparateHeading, putsTheRotationTogetherAgain) {
   Random random(3);
   for (int i = 0; i < 200; ++i) {

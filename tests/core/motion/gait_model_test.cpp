@@ -34,6 +34,23 @@ TEST(GaitPose, isItsOwnMirrorImageHalfACycleLaterInTheOtherTurn) {
   }
 }
 
+TEST(GaitPose, isItsOwnMirrorImageWhileSpeedAndTurnRateChange) {
+  Random random(2);
+  for (int i = 0; i < 100; ++i) {
+    GaitState state = randomState(random);
+    state.turnAcceleration = random.uniform(-3, 3);
+    state.acceleration = random.uniform(-1, 1);
+    const Pose pose = gaitPose(gaitTable(Gait::kWalk), state);
+    EXPECT_LT(largestDistance(mirrored(pose), gaitPose(Gait::kWalk, mirrored(state))), 1e-12);
+  }
+}
+
+TEST(GaitRegressors, areThoseOfTheTable) {
+  const auto regressors = gaitRegressors(1.3, {0.0, 1.8, 2.0, 3.0, 0.7});
+  const std::array<double, kGaitRegressorCount> expected = {1.0, 0.5, 2.0, 4.0, 3.0, 0.7, 6.0, 1.0, 0.25};
+  for (std::size_t r = 0; r < expected.size(); ++r) EXPECT_DOUBLE_EQ(regressors[r], expected[r]) << r;
+}
+
 TEST(GaitPose, closesAfterACycleAndMovesWithoutJumps) {
   for (const Gait gait : {Gait::kWalk, Gait::kJog}) {
     const double speed = gait == Gait::kWalk ? 1.3 : 2.8;
