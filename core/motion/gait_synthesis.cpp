@@ -4,7 +4,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "motion/gait_balance.h"
 #include "motion/gait_feet.h"
+#include "motion/gait_flight.h"
+#include "motion/gait_gaze.h"
+#include "motion/gait_variation.h"
 
 namespace stridegraph {
 namespace {
@@ -132,7 +136,11 @@ Result<Clip> synthesiseGait(const GaitRequest& request) {
         (static_cast<double>(f) - static_cast<double>(track->margin)) / request.framesPerSecond;
     clip.append(poseAt(skeleton, track->moments[f], seconds).view());
   }
+  enliven(request, *track, clip);
+  shiftWeight(*track, clip);
+  fallFreely(*track, clip);
   plantFeet(*track, clip);
+  leadWithTheHead(*track, clip);
   return cut(clip, track->margin, clip.frameCount() - 2 * track->margin);
 }
 

@@ -50,7 +50,7 @@ TEST(DefaultGaitClips, haveNamesOfTheirOwnAndOneSkeletonAndRate) {
     frames += clip.frameCount();
   }
   EXPECT_GT(frames, 3000u);
-  EXPECT_LT(frames, 4600u);
+  EXPECT_LT(frames, 6500u);
 }
 
 TEST(DefaultGaitClips, haveRightSidesThatMirrorTheLeft) {
@@ -120,6 +120,23 @@ TEST(DefaultGaitClips, startFromAndStopToAStand) {
     EXPECT_GT(rootSpeed(start, start.frameCount() - 2), 0.8);
     EXPECT_GT(rootSpeed(stop, 0), 0.8);
   }
+}
+
+TEST(ThesisGaitPair, hasTheFramesAndTurnsOfTheThesis) {
+  const std::vector<Clip> pair = thesisGaitPair();
+  ASSERT_EQ(pair.size(), 2u);
+  EXPECT_EQ(pair[0].frameCount(), 46u);
+  EXPECT_EQ(pair[1].frameCount(), 105u);
+  double rightMost = 0.0;
+  for (std::size_t f = 0; f < pair[1].frameCount(); ++f) {
+    const double turned = (separateHeading(pair[1].pose(f).rotations[0]).heading -
+                           separateHeading(pair[1].pose(0).rotations[0]).heading)
+                              .angle()
+                              .degrees();
+    rightMost = std::min(rightMost, turned);
+  }
+  EXPECT_LT(rightMost, -30.0);
+  EXPECT_LT(std::abs(turnedDegrees(pair[1])), 20.0) << "back to where it looked at first";
 }
 
 TEST(DefaultGaitClips, areTheSameOnEveryCall) {
