@@ -156,6 +156,9 @@ FootCorrection correctionTo(const Footprint& print, const FootMotion& foot) {
   const Vec3 overHeel = Vec3(print.heel.x(), kGaitSoleMetres, print.heel.y()) - rotation * foot.heelInFoot;
   const Vec3 overToe = Vec3(toe.x(), kGaitSoleMetres, toe.y()) - rotation * foot.toeInFoot();
   correction.place = onHeel * overHeel + (1.0 - onHeel) * overToe - foot.ankle;
+  // Between the two the mean of both would press the lower one into the floor.
+  const FootMotion placed = corrected(foot, correction);
+  correction.place.y() += kGaitSoleMetres - std::min(placed.heel().y(), placed.toe().y());
   return correction;
 }
 

@@ -58,6 +58,6 @@ BvhLayout gaitBvhLayout();
 Leg gaitLeg(Side side);
 
 /// Height of the toe end over y = 0 when it touches the floor: the thickness of a shod foot below its joints.
-inline constexpr double kGaitSoleMetres = 0.0337;
+inline constexpr double kGaitSoleMetres = 0.0335;
 
 }  // namespace stridegraph

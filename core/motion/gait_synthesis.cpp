@@ -16,9 +16,10 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 
 // Small steps on the spot. No capture shows them: judged by eye, within what the standing pose bears.
-constexpr double kStepHeight = 0.055;  ///< metres
-constexpr double kStepSway = 0.022;    ///< Root towards the foot that carries, metres.
-constexpr double kStepCrouch = 0.010;  ///< metres
+constexpr double kStepHeight = 0.055;   ///< metres
+constexpr double kStepSway = 0.022;     ///< Root towards the foot that carries, metres.
+constexpr double kStepArmSwing = 0.10;  ///< Upper arms, each against its leg, rad.
+constexpr double kStepCrouch = 0.010;   ///< metres
 
 /// Slowest speeds at which the fits may be asked.
 constexpr double kSlowestWalk = 0.75;
@@ -74,6 +75,12 @@ void stepOnTheSpot(const Skeleton& skeleton, const GaitMoment& moment, double sh
   const double lead = share * std::clamp(moment.turnRate, -1.2, 1.2);
   turnJoint(pose, GaitJoint::kThorax, 0.10 * lead);
   turnJoint(pose, GaitJoint::kHead, 0.25 * lead);
+  for (const Side side : {Side::kLeft, Side::kRight}) {
+    const bool left = side == Side::kLeft;
+    Quat& arm = pose.rotations[indexOf(left ? GaitJoint::kLeftHumerus : GaitJoint::kRightHumerus)];
+    const double swing = share * kStepArmSwing * (left ? sway : -sway);
+    arm = axisRotation(Axis::kX, Angle::radians(swing)) * arm;
+  }
   for (const Side side : {Side::kLeft, Side::kRight})
     solveLeg(skeleton, gaitLeg(side), targets[static_cast<std::size_t>(side)], 0.999, pose.rootPosition,
              pose.rotations);

@@ -27,22 +27,22 @@ constexpr double kJoltSeconds = 0.07;
 constexpr double kJoltDrop = 0.0036, kJoltBrake = 0.0044, kJoltSideways = 0.0040;  ///< metres
 constexpr double kRootTremor = 0.0007;  ///< metres along each axis, root mean square
 
-/// What the jolt and the fine unrest do to a joint, rad.
+/// What the jolt and the fine unrest do to a joint, rad. As in captures, most of the unrest of a limb is
+/// about its own bone (y), so that it moves hands and feet little.
 struct Unrest {
-  GaitJoint joint;       ///< Central or left.
-  double jolt;           ///< About the sideways axis.
-  double tremor;         ///< Root mean square, about each axis.
-  bool hinge = false;    ///< Only the sideways axis.
-  bool inSwing = false;  ///< Only while the foot of that side is in the air.
+  GaitJoint joint;               ///< Central or left.
+  double jolt;                   ///< About the sideways axis.
+  std::array<double, 3> tremor;  ///< Root mean square about each axis of the joint.
+  bool inSwing = false;          ///< Only while the foot of that side is in the air.
 };
-constexpr std::array<Unrest, 8> kUnrest = {{{GaitJoint::kThorax, 0.030, 0.0040},
-                                            {GaitJoint::kHead, -0.012, 0.0025},
-                                            {GaitJoint::kLeftHumerus, 0.022, 0.0060},
-                                            {GaitJoint::kLeftRadius, 0.012, 0.0030},
-                                            {GaitJoint::kLeftHand, 0.032, 0.0070},
-                                            {GaitJoint::kLeftFemur, 0.0, 0.014, false, true},
-                                            {GaitJoint::kLeftTibia, 0.0, 0.012, true, true},
-                                            {GaitJoint::kLeftFoot, 0.0, 0.028, true, true}}};
+constexpr std::array<Unrest, 8> kUnrest = {{{GaitJoint::kThorax, 0.018, {0.0020, 0.0030, 0.0020}},
+                                            {GaitJoint::kHead, -0.008, {0.0020, 0.0030, 0.0015}},
+                                            {GaitJoint::kLeftHumerus, 0.012, {0.0015, 0.0060, 0.0015}},
+                                            {GaitJoint::kLeftRadius, 0.010, {0.0020, 0.0, 0.0}},
+                                            {GaitJoint::kLeftHand, 0.016, {0.0010, 0.0130, 0.0}},
+                                            {GaitJoint::kLeftFemur, 0.0, {0.0040, 0.0200, 0.0020}, true},
+                                            {GaitJoint::kLeftTibia, 0.0, {0.0080, 0.0020, 0.0}, true},
+                                            {GaitJoint::kLeftFoot, 0.0, {0.0240, 0.0300, 0.0220}, true}}};
 
 /// A sum of oscillations in the band of physiological tremor, with root mean square 1, whose accelerations
 /// weigh the same.
@@ -173,7 +173,7 @@ void shake(const Drawn& drawn, const Instant& now, std::size_t frame, Clip& clip
   for (std::size_t u = 0; u < kUnrest.size(); ++u) {
     const Unrest& unrest = kUnrest[u];
     const GaitJoint twin = otherSide(unrest.joint);
-    const double tremor = unrest.tremor * now.share * std::lerp(0.3, now.pace, now.going);
+    const double unrestShare = now.share * std::lerp(0.3, now.pace, now.going);
     const double jolt = unrest.jolt * now.share * now.going * now.jolt;
     for (const GaitJoint joint : {unrest.joint, twin}) {
       const bool central = twin == unrest.joint;
@@ -181,12 +181,11 @@ void shake(const Drawn& drawn, const Instant& now, std::size_t frame, Clip& clip
       // Of a central joint the sideways parts change sign with the side, of a limb they follow its own side.
       const double sign = central ? now.side : (left ? 1.0 : -1.0);
       const std::size_t first = central || (left == (now.side > 0.0)) ? 0 : 3;
-      const auto& waves = drawn.tremors[u];
-      const double size = unrest.inSwing ? tremor * now.aloft[left ? 0 : 1] : tremor;
-      const double beside = unrest.hinge ? 0.0 : sign * size;
-      turnBy(clip, frame, joint,
-             Vec3(jolt + size * waves[first].at(now.seconds), beside * waves[first + 1].at(now.seconds),
-                  beside * waves[first + 2].at(now.seconds)));
+      const double size = unrest.inSwing ? unrestShare * now.aloft[left ? 0 : 1] : unrestShare;
+      const auto tremor = [&](std::size_t axis) {
+        return size * unrest.tremor[axis] * drawn.tremors[u][first + axis].at(now.seconds);
+      };
+      turnBy(clip, frame, joint, Vec3(jolt + tremor(0), sign * tremor(1), sign * tremor(2)));
       if (central) break;
     }
   }
