@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "base/check.h"
 #include "math/rotation.h"
+#include "motion/gait_curves.h"
 #include "motion/gait_footprint.h"
 
 namespace stridegraph {
@@ -21,25 +21,11 @@ std::vector<double> carriedSide(const GaitTrack& track, double fps) {
   std::vector<double> carried(track.moments.size(), 0.0);
   for (const Side side : {Side::kLeft, Side::kRight})
     for (const Stance& stance : stancesOf(track, side))
-      for (std::size_t f = stance.first; f <= stance.last; ++f)
-        carried[f] += side == Side::kLeft ? 1.0 : -1.0;
-  const auto reach = static_cast<std::ptrdiff_t>(std::lround(kShiftSeconds * fps));
-  const auto last = static_cast<std::ptrdiff_t>(carried.size()) - 1;
-  std::vector<double> smooth(carried.size(), 0.0);
-  for (std::ptrdiff_t i = 0; i <= last; ++i) {
-    double sum = 0.0;
-    double weights = 0.0;
-    for (std::ptrdiff_t k = -reach; k <= reach; ++k) {
-      const auto at = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(i + k, 0, last));
-      const double bell =
-          1.0 + std::cos(std::numbers::pi * static_cast<double>(k) / static_cast<double>(reach + 1));
-      const double slow = 1.0 - walkingShare(track.moments[at]);
-      sum += bell * slow * carried[at];
-      weights += bell;
-    }
-    smooth[static_cast<std::size_t>(i)] = sum / weights;
-  }
-  return smooth;
+      for (std::size_t f = stance.first; f <= stance.last; ++f) {
+        const double slow = 1.0 - walkingShare(track.moments[f]);
+        carried[f] += side == Side::kLeft ? slow : -slow;
+      }
+  return bellMean(carried, static_cast<std::size_t>(std::lround(kShiftSeconds * fps)));
 }
 
 }  // namespace

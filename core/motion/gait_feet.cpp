@@ -7,6 +7,7 @@
 
 #include "base/check.h"
 #include "math/rotation.h"
+#include "motion/gait_curves.h"
 #include "motion/gait_footprint.h"
 #include "motion/gait_toes.h"
 
@@ -34,11 +35,6 @@ struct Foot {
   std::vector<bool> down;
   std::vector<FootCorrection> corrections;
 };
-
-double smoothStep(double x) {
-  const double t = std::clamp(x, 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
-}
 
 Foot footOf(const Skeleton& skeleton, const GaitTrack& track, const Clip& clip, Side side) {
   Foot foot;
@@ -117,29 +113,13 @@ void pinStances(const GaitTrack& track, const std::vector<Stance>& stances, doub
 
 /// Each value becomes the largest within `reach` frames, then a bell-shaped mean: an envelope without
 /// corners.
-std::vector<double> envelope(const std::vector<double>& values, std::ptrdiff_t reach) {
-  const auto last = static_cast<std::ptrdiff_t>(values.size()) - 1;
-  const auto at = [last](const std::vector<double>& list, std::ptrdiff_t i) {
-    return list[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(i, 0, last))];
-  };
+std::vector<double> envelope(const std::vector<double>& values, std::size_t reach) {
   std::vector<double> largest = values;
-  for (std::ptrdiff_t i = 0; i <= last; ++i)
-    for (std::ptrdiff_t k = -reach; k <= reach; ++k)
-      largest[static_cast<std::size_t>(i)] =
-          std::max(largest[static_cast<std::size_t>(i)], at(values, i + k));
-  std::vector<double> result = values;
-  for (std::ptrdiff_t i = 0; i <= last; ++i) {
-    double sum = 0.0;
-    double weights = 0.0;
-    for (std::ptrdiff_t k = -reach; k <= reach; ++k) {
-      const double weight =
-          1.0 + std::cos(std::numbers::pi * static_cast<double>(k) / static_cast<double>(reach + 1));
-      sum += weight * at(largest, i + k);
-      weights += weight;
-    }
-    result[static_cast<std::size_t>(i)] = sum / weights;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const std::size_t last = std::min(i + reach, values.size() - 1);
+    for (std::size_t k = i - std::min(i, reach); k <= last; ++k) largest[i] = std::max(largest[i], values[k]);
   }
-  return result;
+  return bellMean(largest, reach);
 }
 
 /// Lifts the swinging foot where it would come too near to the floor.

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "base/check.h"
 #include "math/rotation.h"
+#include "motion/gait_curves.h"
 #include "motion/gait_skeleton.h"
 
 namespace stridegraph {
@@ -22,24 +22,13 @@ constexpr Angle kGazePitch = Angle::degrees(4.0);  ///< Eyes on the floor some m
 
 /// Headings a third of a second later less headings now, rad, smooth and bounded.
 std::vector<double> leads(const GaitTrack& track, double fps) {
-  const auto last = static_cast<std::ptrdiff_t>(track.moments.size()) - 1;
-  const auto ahead = static_cast<std::ptrdiff_t>(std::lround(kLeadSeconds * fps));
-  const auto reach = static_cast<std::ptrdiff_t>(std::lround(kSmoothSeconds * fps));
-  const auto headingAt = [&](std::ptrdiff_t i) {
-    return track.moments[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(i, 0, last))].heading.radians();
-  };
+  const std::size_t last = track.moments.size() - 1;
+  const auto ahead = static_cast<std::size_t>(std::lround(kLeadSeconds * fps));
   std::vector<double> result;
-  for (std::ptrdiff_t i = 0; i <= last; ++i) {
-    double sum = 0.0;
-    double weights = 0.0;
-    for (std::ptrdiff_t k = -reach; k <= reach; ++k) {
-      const double bell =
-          1.0 + std::cos(std::numbers::pi * static_cast<double>(k) / static_cast<double>(reach + 1));
-      sum += bell * (headingAt(i + k + ahead) - headingAt(i + k));
-      weights += bell;
-    }
-    result.push_back(kLargestLead * std::tanh(sum / weights / kLargestLead));
-  }
+  for (std::size_t i = 0; i <= last; ++i)
+    result.push_back((track.moments[std::min(i + ahead, last)].heading - track.moments[i].heading).radians());
+  result = bellMean(result, static_cast<std::size_t>(std::lround(kSmoothSeconds * fps)));
+  for (double& lead : result) lead = kLargestLead * std::tanh(lead / kLargestLead);
   return result;
 }
 

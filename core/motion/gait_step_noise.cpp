@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "motion/gait_curves.h"
+
 namespace stridegraph {
 namespace {
 
@@ -27,8 +29,7 @@ double StepNoise::at(double steps) const {
   const double place = std::clamp(steps, 0.0, last);
   const auto before = static_cast<std::size_t>(place);
   const std::size_t after = std::min(before + 1, values_.size() - 1);
-  const double t = place - static_cast<double>(before);
-  return std::lerp(values_[before], values_[after], t * t * (3.0 - 2.0 * t));
+  return std::lerp(values_[before], values_[after], smoothStep(place - static_cast<double>(before)));
 }
 
 }  // namespace stridegraph

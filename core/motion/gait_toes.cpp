@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "math/rotation.h"
+#include "motion/gait_curves.h"
 
 namespace stridegraph {
 namespace {
@@ -11,11 +12,6 @@ namespace {
 constexpr double kEaseIn = 0.10;       ///< rad; below it the bend begins smoothly.
 constexpr double kLargestBend = 0.72;  ///< rad
 constexpr double kFlatWithin = 0.14;   ///< rad; a foot pitched by less is pressed flat.
-
-double smoothStep(double x) {
-  const double t = std::clamp(x, 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
-}
 
 }  // namespace
 

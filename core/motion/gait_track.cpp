@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "motion/gait_curves.h"
 #include "motion/gait_step_noise.h"
 
 namespace stridegraph {
@@ -26,11 +27,6 @@ constexpr double kSteppingHalfWidth = 0.68 * kPi;
 constexpr double kRhythmVariation = 0.010;
 constexpr double kLengthVariation = 0.010;
 constexpr double kMostStepsPerSecond = 6.0;
-
-double smoothStep(double x) {
-  const double t = std::clamp(x, 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
-}
 
 /// How much the turn rate alone makes the feet step.
 double turningGate(const GaitMoment& moment) {
@@ -63,25 +59,6 @@ std::optional<Error> faultOf(const GaitRequest& request) {
   return outOfRange("gaitBlendSeconds", request.gaitBlendSeconds, 0.0, 2.0);
 }
 
-/// Weighted mean with a raised cosine of the given half width; sums are kept, so a turn keeps its whole
-/// angle.
-std::vector<double> smoothed(const std::vector<double>& values, double halfWidthFrames) {
-  const auto reach = static_cast<std::ptrdiff_t>(std::lround(halfWidthFrames));
-  const auto last = static_cast<std::ptrdiff_t>(values.size()) - 1;
-  std::vector<double> result(values.size(), 0.0);
-  for (std::ptrdiff_t i = 0; i <= last; ++i) {
-    double sum = 0.0;
-    double weights = 0.0;
-    for (std::ptrdiff_t k = -reach; k <= reach; ++k) {
-      const double weight = 1.0 + std::cos(kPi * static_cast<double>(k) / static_cast<double>(reach + 1));
-      sum += weight * values[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(i + k, 0, last))];
-      weights += weight;
-    }
-    result[static_cast<std::size_t>(i)] = sum / weights;
-  }
-  return result;
-}
-
 /// Speed, turn rate and gait of every frame as asked, margins included.
 GaitTrack askedTrack(const GaitRequest& request) {
   const double fps = request.framesPerSecond;
@@ -106,7 +83,7 @@ GaitTrack askedTrack(const GaitRequest& request) {
 void smoothChannel(GaitTrack& track, double GaitMoment::*channel, double halfWidthFrames) {
   std::vector<double> values;
   for (const GaitMoment& moment : track.moments) values.push_back(moment.*channel);
-  values = smoothed(values, halfWidthFrames);
+  values = bellMean(values, static_cast<std::size_t>(std::lround(halfWidthFrames)));
   for (std::size_t i = 0; i < values.size(); ++i) track.moments[i].*channel = values[i];
 }
 
