@@ -162,7 +162,7 @@ void addJogs(Collector& clips) {
     clips.add(sequence(name, {{2.2, speed, 0.0, Gait::kJog}}));
   clips.add(sequence("jog_speeds", {{1.2, 2.3, 0.0, Gait::kJog},
                                     {1.2, 2.6, 0.0, Gait::kJog},
-                                    {1.2, 3.0, 0.0, Gait::kJog},
+                                    {1.2, 2.9, 0.0, Gait::kJog},
                                     {1.2, 2.6, 0.0, Gait::kJog},
                                     {1.2, 2.3, 0.0, Gait::kJog}}));
   clips.addBothHands(turn("jog_45", 45, {2.6, 2.6, 1.0, Gait::kJog}, Carrier::kOuter));

@@ -40,9 +40,9 @@ constexpr std::array<Unrest, 8> kUnrest = {{{GaitJoint::kThorax, 0.018, {0.0020,
                                             {GaitJoint::kLeftHumerus, 0.012, {0.0015, 0.0060, 0.0015}},
                                             {GaitJoint::kLeftRadius, 0.010, {0.0020, 0.0, 0.0}},
                                             {GaitJoint::kLeftHand, 0.016, {0.0010, 0.0130, 0.0}},
-                                            {GaitJoint::kLeftFemur, 0.0, {0.0040, 0.0200, 0.0020}, true},
+                                            {GaitJoint::kLeftFemur, 0.0, {0.0045, 0.0270, 0.0025}, true},
                                             {GaitJoint::kLeftTibia, 0.0, {0.0080, 0.0020, 0.0}, true},
-                                            {GaitJoint::kLeftFoot, 0.0, {0.0240, 0.0300, 0.0220}, true}}};
+                                            {GaitJoint::kLeftFoot, 0.0, {0.0290, 0.0380, 0.0280}, true}}};
 
 /// A sum of oscillations in the band of physiological tremor, with root mean square 1, whose accelerations
 /// weigh the same.
@@ -237,7 +237,7 @@ void enliven(const GaitRequest& request, const GaitTrack& track, Clip& clip) {
                       left[f] - right[f],
                       {swing[0][f], swing[1][f]},
                       std::max(walkingShare(moment), 0.5 * steppingShare(moment)),
-                      std::clamp(moment.speed / 1.2, 0.9, 1.4),
+                      std::clamp(moment.speed / 1.2, 1.05, 1.45),
                       side,
                       request.variation};
     moveTrunk(drawn, now, Heading::fromAngle(moment.heading), f, clip);
