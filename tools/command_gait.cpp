@@ -17,7 +17,8 @@ int cannotWrite(const Error& error) {
   return kWrongUse;
 }
 
-int runGait(const std::string& folder) {
+/// Writes the clips and where they come from into a folder, which is made.
+int writeClips(const std::string& folder, const std::vector<Clip>& clips) {
   std::error_code failed;
   std::filesystem::create_directories(folder, failed);
   if (failed) {
@@ -25,7 +26,6 @@ int runGait(const std::string& folder) {
     return kWrongUse;
   }
   std::size_t frames = 0;
-  const std::vector<Clip> clips = defaultGaitClips();
   for (const Clip& clip : clips) {
     const auto written =
         writeFile(folder + "/" + clip.name + ".bvh", writeBvh(gaitSkeleton(), gaitBvhLayout(), clip));
@@ -38,11 +38,18 @@ int runGait(const std::string& folder) {
   return kDone;
 }
 
+int runGait(const std::string& folder) {
+  const int code = writeClips(folder, defaultGaitClips());
+  return code == kDone ? writeClips(folder + "/thesis_pair", thesisGaitPair()) : code;
+}
+
 }  // namespace
 
 void addGaitCommand(CLI::App& program, int& exitCode) {
   CLI::App* command =
-      program.add_subcommand("gait", "Write the synthesised default clips as BVH, and where they come from");
+      program.add_subcommand("gait",
+                             "Write the synthesised default clips as BVH, where they come from, and in\n"
+                             "the sub-folder thesis_pair the two jogs that the thesis used");
   auto folder = std::make_shared<std::string>();
   command->add_option("-o,--output", *folder, "Folder to write to")->required();
   command->callback([folder, &exitCode] { exitCode = runGait(*folder); });

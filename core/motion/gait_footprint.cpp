@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "math/rotation.h"
+#include "motion/gait_toes.h"
 
 namespace stridegraph {
 namespace {
@@ -15,8 +16,12 @@ constexpr double kRollMetres = 0.004;
 /// Fastest change of a correction where a swing begins or ends, per frame.
 constexpr double kLargestPlaceSlope = 0.012;
 constexpr double kLargestAngleSlope = 0.05;
+/// Share of the weight on the heel from which on it is not lifted.
+constexpr double kHeelDown = 0.9;
+/// Part of a swing in which the lifted heel comes back to where the model has it.
+constexpr double kPitchShare = 0.45;
 /// Most that the heel is lifted over what the model does, rad.
-constexpr double kLargestHeelLift = 0.35;
+constexpr double kLargestHeelLift = 0.26;
 
 double wrappedDifference(Angle a, Angle b) {
   return (a - b).wrapped().radians();
@@ -28,7 +33,7 @@ bool standsStill(const GaitMoment& moment) {
 
 /// Horizontal distance from heel to toe end in the flat foot.
 double flatLength(const FootMotion& foot) {
-  return (foot.toeInFoot - foot.heelInFoot).norm();
+  return (foot.ballInFoot + foot.toeFromBall - foot.heelInFoot).norm();
 }
 
 double hermite(double from, double fromSlope, double to, double toSlope, double share) {
@@ -53,7 +58,7 @@ FootCorrection slopeBetween(const std::vector<bool>& fixed, const std::vector<Fo
   const FootCorrection& from = corrections[frame];
   const FootCorrection& to = corrections[next];
   return {limited(to.place - from.place), limitedAngle(to.yaw - from.yaw),
-          limitedAngle(to.pitch - from.pitch)};
+          limitedAngle(to.pitch - from.pitch), limitedAngle(to.toeBend - from.toeBend)};
 }
 
 FootCorrection between(const std::array<FootCorrection, 2>& ends, const std::array<FootCorrection, 2>& slopes,
@@ -63,7 +68,12 @@ FootCorrection between(const std::array<FootCorrection, 2>& ends, const std::arr
     result.place[a] = hermite(ends[0].place[a], slopes[0].place[a] * span, ends[1].place[a],
                               slopes[1].place[a] * span, share);
   result.yaw = hermite(ends[0].yaw, slopes[0].yaw * span, ends[1].yaw, slopes[1].yaw * span, share);
-  result.pitch = hermite(ends[0].pitch, slopes[0].pitch * span, ends[1].pitch, slopes[1].pitch * span, share);
+  // The heel that was lifted for want of reach comes down soon; what the next stance needs begins late.
+  const double early = std::min(1.0, share / kPitchShare);
+  const double late = std::max(0.0, (share - 1.0) / kPitchShare + 1.0);
+  result.pitch = hermite(ends[0].pitch, slopes[0].pitch * span * kPitchShare, 0.0, 0.0, early) +
+                 hermite(0.0, 0.0, ends[1].pitch, slopes[1].pitch * span * kPitchShare, late);
+  result.toeBend = hermite(ends[0].toeBend, 0.0, 0.0, 0.0, early);
   return result;
 }
 
@@ -91,6 +101,10 @@ void fillSwing(const std::vector<bool>& fixed, std::size_t first, std::size_t ne
 Angle FootMotion::yaw() const {
   const Vec3 sideways = rotation * Vec3::UnitX();
   return Angle::radians(std::atan2(-sideways.z(), sideways.x()));
+}
+
+Vec3 FootMotion::toeInFoot() const {
+  return ballInFoot + axisRotation(Axis::kX, Angle::radians(-toeBend)) * toeFromBall;
 }
 
 double FootMotion::heelShare() const {
@@ -140,17 +154,26 @@ FootCorrection correctionTo(const Footprint& print, const FootMotion& foot) {
   const Vec2 toe = print.heel + flatLength(foot) * Heading::fromAngle(print.yaw).direction();
   const double onHeel = foot.heelShare();
   const Vec3 overHeel = Vec3(print.heel.x(), kGaitSoleMetres, print.heel.y()) - rotation * foot.heelInFoot;
-  const Vec3 overToe = Vec3(toe.x(), kGaitSoleMetres, toe.y()) - rotation * foot.toeInFoot;
+  const Vec3 overToe = Vec3(toe.x(), kGaitSoleMetres, toe.y()) - rotation * foot.toeInFoot();
   correction.place = onHeel * overHeel + (1.0 - onHeel) * overToe - foot.ankle;
+  // Between the two the mean of both would press the lower one into the floor.
+  const FootMotion placed = corrected(foot, correction);
+  correction.place.y() += kGaitSoleMetres - std::min(placed.heel().y(), placed.toe().y());
   return correction;
 }
 
 void liftHeel(const FootMotion& foot, const Vec3& hip, double reachMetres, FootCorrection& correction) {
   const FootMotion flat = corrected(foot, correction);
-  if ((flat.ankle - hip).norm() <= reachMetres || foot.heelShare() > 0.5) return;
+  // A flat foot rests on heel and toes at once: it must not depend on which of them is a hair lower.
+  const double onToes = std::clamp((kHeelDown - foot.heelShare()) / (kHeelDown - 0.5), 0.0, 1.0);
+  if ((flat.ankle - hip).norm() <= reachMetres || onToes <= 0.0) return;
   const Vec3 toe = flat.toe();
+  const double pitched = pitchBeyondFlat(flat);
+  const auto bendAt = [&](double pitch) { return toeBend(pitched + pitch) - toeBend(pitched); };
   const auto ankleAt = [&](double pitch) {
-    return Vec3(toe - flat.rotation * axisRotation(Axis::kX, Angle::radians(pitch)) * foot.toeInFoot);
+    FootMotion lifted = flat;
+    lifted.toeBend += bendAt(pitch);
+    return Vec3(toe - flat.rotation * axisRotation(Axis::kX, Angle::radians(pitch)) * lifted.toeInFoot());
   };
   double low = 0.0;
   double high = kLargestHeelLift;
@@ -158,13 +181,16 @@ void liftHeel(const FootMotion& foot, const Vec3& hip, double reachMetres, FootC
     const double middle = 0.5 * (low + high);
     ((ankleAt(middle) - hip).norm() <= reachMetres ? high : low) = middle;
   }
-  correction.pitch += high;
-  correction.place = ankleAt(high) - foot.ankle;
+  const double lift = onToes * high;
+  correction.pitch += lift;
+  correction.toeBend += bendAt(lift);
+  correction.place = ankleAt(lift) - foot.ankle;
 }
 
 FootMotion corrected(const FootMotion& foot, const FootCorrection& correction) {
   FootMotion result = foot;
   result.ankle += correction.place;
+  result.toeBend += correction.toeBend;
   result.rotation = (Heading::fromAngle(Angle::radians(correction.yaw)).rotation() * foot.rotation *
                      axisRotation(Axis::kX, Angle::radians(correction.pitch)))
                         .normalized();

@@ -7,15 +7,19 @@
 
 namespace stridegraph {
 
-/// A foot as the model moves it, at one frame: a rigid piece with two points that can touch the floor.
+/// A foot at one frame: a piece that touches the floor with its heel, and toes that bend against it.
 struct FootMotion {
   Vec3 ankle = Vec3::Zero();         ///< World, metres.
   Quat rotation = Quat::Identity();  ///< World.
   Vec3 heelInFoot = Vec3::Zero();    ///< In the foot's own axes; level with the toe end in the flat foot.
-  Vec3 toeInFoot = Vec3::Zero();
+  Vec3 ballInFoot = Vec3::Zero();    ///< Where the toes are hinged.
+  Vec3 toeFromBall = Vec3::Zero();   ///< Toe end from there, toes not bent, in the foot's axes.
+  double toeBend = 0.0;              ///< Of the toes against the foot, upwards, rad.
 
   Vec3 heel() const { return ankle + rotation * heelInFoot; }
-  Vec3 toe() const { return ankle + rotation * toeInFoot; }
+  Vec3 ball() const { return ankle + rotation * ballInFoot; }
+  Vec3 toe() const { return ankle + rotation * toeInFoot(); }
+  Vec3 toeInFoot() const;
   /// Which way the foot points, from its sideways axis, so that it holds when the foot stands on its tip.
   Angle yaw() const;
   /// 1 when it rests on the heel, 0 when on the toe end, between over some millimetres.
@@ -33,6 +37,7 @@ struct FootCorrection {
   Vec3 place = Vec3::Zero();  ///< To the ankle's place, metres.
   double yaw = 0.0;           ///< About the vertical, rad.
   double pitch = 0.0;         ///< About the foot's sideways axis, toes down, rad.
+  double toeBend = 0.0;       ///< Of the toes, upwards, rad.
 };
 
 /// Where a foot rests during a stance.

@@ -32,29 +32,37 @@ struct Turning {
 /// Collects clips; a request for the left side brings its mirror image along.
 class Collector {
  public:
-  void add(const GaitRequest& request) {
-    Result<Clip> clip = synthesiseGait(request);
-    STRIDEGRAPH_CHECK(clip.has_value());
-    clips_.push_back(std::move(*clip));
+  /// Every request has steps of its own.
+  void add(GaitRequest request) {
+    request.seed = ++seed_;
+    append(request);
   }
 
   /// "name_left" as asked and "name_right" mirrored.
   void addBothHands(GaitRequest request) {
     const std::string name = request.name;
+    request.seed = ++seed_;
     request.name = name + "_left";
-    add(request);
+    append(request);
     request.name = name + "_right";
     for (GaitSegment& segment : request.segments) segment.turnRate = -segment.turnRate;
     if (!request.startPhase && !request.endPhase) request.startPhase = 0.0;
     if (request.startPhase) *request.startPhase += kPi;
     if (request.endPhase) *request.endPhase += kPi;
-    add(request);
+    append(request);
   }
 
   std::vector<Clip> take() { return std::move(clips_); }
 
  private:
+  void append(const GaitRequest& request) {
+    Result<Clip> clip = synthesiseGait(request);
+    STRIDEGRAPH_CHECK(clip.has_value());
+    clips_.push_back(std::move(*clip));
+  }
+
   std::vector<Clip> clips_;
+  std::uint64_t seed_ = 0;
 };
 
 /// The foot that carries in the middle of a turn.
@@ -125,12 +133,21 @@ void addStanding(Collector& clips) {
   GaitRequest idle = sequence("stand", {{3.2, 0.0}});
   idle.startPhase = kLeftCarries;
   clips.add(idle);
-  GaitRequest start = sequence("start", {{1.3, 0.0}, {1.8, 1.0}});
-  start.startPhase = kLeftCarries;
-  clips.addBothHands(start);
-  GaitRequest stop = sequence("stop", {{1.7, 1.0}, {1.5, 0.0}});
-  stop.endPhase = kRightCarries;
-  clips.addBothHands(stop);
+  for (const auto& [name, speed] : {std::pair{"", 1.0}, {"_briskly", 1.4}}) {
+    GaitRequest start = sequence(std::string("start") + name, {{1.5, 0.0}, {1.8, speed}});
+    start.startPhase = kLeftCarries;
+    clips.addBothHands(start);
+    GaitRequest stop = sequence(std::string("stop") + name, {{1.7, speed}, {1.6, 0.0}});
+    stop.endPhase = kRightCarries;
+    clips.addBothHands(stop);
+  }
+  for (const double degrees : {45.0, 90.0}) {
+    const double seconds = degrees * kPi / 180.0 / 1.5;
+    GaitRequest start = sequence("start_into_turn_" + std::to_string(std::lround(degrees)),
+                                 {{1.4, 0.0}, {seconds, 0.75, 1.5}, {kLeadSeconds + 0.3, 1.0}});
+    start.startPhase = kRightCarries;
+    clips.addBothHands(start);
+  }
   for (const double degrees : {90.0, 180.0}) {
     GaitRequest spot = turn("turn_on_the_spot_" + std::to_string(std::lround(degrees)), degrees,
                             {0.0, 0.0, 1.25}, Carrier::kOuter);
@@ -140,9 +157,16 @@ void addStanding(Collector& clips) {
 }
 
 void addJogs(Collector& clips) {
-  clips.add(sequence("jog_2.4", {{2.4, 2.4, 0.0, Gait::kJog}}));
-  clips.add(sequence("jog_2.8", {{2.4, 2.8, 0.0, Gait::kJog}}));
-  clips.addBothHands(turn("jog_veer", 60, {2.6, 2.6, 1.0, Gait::kJog}, Carrier::kOuter));
+  for (const auto& [name, speed] :
+       {std::pair{"jog_2.3", 2.3}, {"jog_2.5", 2.5}, {"jog_2.8", 2.8}, {"jog_3.0", 3.0}})
+    clips.add(sequence(name, {{2.2, speed, 0.0, Gait::kJog}}));
+  clips.add(sequence("jog_speeds", {{1.2, 2.3, 0.0, Gait::kJog},
+                                    {1.2, 2.6, 0.0, Gait::kJog},
+                                    {1.2, 2.9, 0.0, Gait::kJog},
+                                    {1.2, 2.6, 0.0, Gait::kJog},
+                                    {1.2, 2.3, 0.0, Gait::kJog}}));
+  clips.addBothHands(turn("jog_45", 45, {2.6, 2.6, 1.0, Gait::kJog}, Carrier::kOuter));
+  clips.addBothHands(turn("jog_90", 90, {2.5, 2.4, 1.2, Gait::kJog}, Carrier::kOuter));
   clips.add(sequence("walk_to_jog", {{1.6, 1.5}, {1.8, 2.4, 0.0, Gait::kJog}}));
   clips.add(sequence("jog_to_walk", {{1.6, 2.4, 0.0, Gait::kJog}, {1.8, 1.5}}));
 }
@@ -155,6 +179,21 @@ std::vector<Clip> defaultGaitClips() {
   addTurns(clips);
   addStanding(clips);
   addJogs(clips);
+  return clips.take();
+}
+
+std::vector<Clip> thesisGaitPair() {
+  const auto jog = [](double frames, double turnDegrees = 0.0) {
+    const double seconds = frames / 30.0;
+    return GaitSegment{seconds, 2.8, turnDegrees * kPi / 180.0 / seconds, Gait::kJog};
+  };
+  Collector clips;
+  for (GaitRequest request :
+       {sequence("thesis_straight_jog", {jog(46)}),
+        sequence("thesis_zig_zag_jog", {jog(25), jog(16, -40.0), jog(23), jog(16, 40.0), jog(25)})}) {
+    request.variation = 0.0;
+    clips.add(request);
+  }
   return clips.take();
 }
 

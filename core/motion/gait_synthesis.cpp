@@ -4,7 +4,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "motion/gait_balance.h"
 #include "motion/gait_feet.h"
+#include "motion/gait_flight.h"
+#include "motion/gait_gaze.h"
+#include "motion/gait_variation.h"
 
 namespace stridegraph {
 namespace {
@@ -12,9 +16,10 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 
 // Small steps on the spot. No capture shows them: judged by eye, within what the standing pose bears.
-constexpr double kStepHeight = 0.055;  ///< metres
-constexpr double kStepSway = 0.022;    ///< Root towards the foot that carries, metres.
-constexpr double kStepCrouch = 0.010;  ///< metres
+constexpr double kStepHeight = 0.055;   ///< metres
+constexpr double kStepSway = 0.022;     ///< Root towards the foot that carries, metres.
+constexpr double kStepArmSwing = 0.10;  ///< Upper arms, each against its leg, rad.
+constexpr double kStepCrouch = 0.010;   ///< metres
 
 /// Slowest speeds at which the fits may be asked.
 constexpr double kSlowestWalk = 0.75;
@@ -70,6 +75,12 @@ void stepOnTheSpot(const Skeleton& skeleton, const GaitMoment& moment, double sh
   const double lead = share * std::clamp(moment.turnRate, -1.2, 1.2);
   turnJoint(pose, GaitJoint::kThorax, 0.10 * lead);
   turnJoint(pose, GaitJoint::kHead, 0.25 * lead);
+  for (const Side side : {Side::kLeft, Side::kRight}) {
+    const bool left = side == Side::kLeft;
+    Quat& arm = pose.rotations[indexOf(left ? GaitJoint::kLeftHumerus : GaitJoint::kRightHumerus)];
+    const double swing = share * kStepArmSwing * (left ? sway : -sway);
+    arm = axisRotation(Axis::kX, Angle::radians(swing)) * arm;
+  }
   for (const Side side : {Side::kLeft, Side::kRight})
     solveLeg(skeleton, gaitLeg(side), targets[static_cast<std::size_t>(side)], 0.999, pose.rootPosition,
              pose.rotations);
@@ -132,7 +143,11 @@ Result<Clip> synthesiseGait(const GaitRequest& request) {
         (static_cast<double>(f) - static_cast<double>(track->margin)) / request.framesPerSecond;
     clip.append(poseAt(skeleton, track->moments[f], seconds).view());
   }
+  enliven(request, *track, clip);
+  shiftWeight(*track, clip);
+  fallFreely(*track, clip);
   plantFeet(*track, clip);
+  leadWithTheHead(*track, clip);
   return cut(clip, track->margin, clip.frameCount() - 2 * track->margin);
 }
 

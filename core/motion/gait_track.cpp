@@ -6,6 +6,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "motion/gait_curves.h"
+#include "motion/gait_step_noise.h"
+
 namespace stridegraph {
 namespace {
 
@@ -14,16 +17,16 @@ constexpr double kMarginSeconds = 1.5;
 /// Below this speed the walk fades into standing (the slowest that the model was measured at, with a
 /// reserve).
 constexpr double kSlowestWalk = 0.75;
-/// Cadence and contact of small steps on the spot.
 /// Share by which a tight turn is faster over the outer foot and slower over the inner one.
 constexpr double kTurnEmphasis = 0.6;
+/// Cadence and contact of small steps on the spot.
 constexpr double kSteppingCadence = 6.6;
 constexpr double kSteppingHalfWidth = 0.68 * kPi;
-
-double smoothStep(double x) {
-  const double t = std::clamp(x, 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
-}
+/// From step to step, one standard deviation: of cadence and of step length, as shares. People vary by 1 to 3
+/// %; this much is seen, and clips still meet within 3 cm.
+constexpr double kRhythmVariation = 0.010;
+constexpr double kLengthVariation = 0.010;
+constexpr double kMostStepsPerSecond = 6.0;
 
 /// How much the turn rate alone makes the feet step.
 double turningGate(const GaitMoment& moment) {
@@ -52,26 +55,8 @@ std::optional<Error> faultOf(const GaitRequest& request) {
   if (auto e = outOfRange("framesPerSecond", request.framesPerSecond, 10.0, 240.0)) return e;
   if (auto e = outOfRange("speedBlendSeconds", request.speedBlendSeconds, 0.0, 2.0)) return e;
   if (auto e = outOfRange("turnBlendSeconds", request.turnBlendSeconds, 0.0, 2.0)) return e;
+  if (auto e = outOfRange("variation", request.variation, 0.0, 2.0)) return e;
   return outOfRange("gaitBlendSeconds", request.gaitBlendSeconds, 0.0, 2.0);
-}
-
-/// Weighted mean with a raised cosine of the given half width; sums are kept, so a turn keeps its whole
-/// angle.
-std::vector<double> smoothed(const std::vector<double>& values, double halfWidthFrames) {
-  const auto reach = static_cast<std::ptrdiff_t>(std::lround(halfWidthFrames));
-  const auto last = static_cast<std::ptrdiff_t>(values.size()) - 1;
-  std::vector<double> result(values.size(), 0.0);
-  for (std::ptrdiff_t i = 0; i <= last; ++i) {
-    double sum = 0.0;
-    double weights = 0.0;
-    for (std::ptrdiff_t k = -reach; k <= reach; ++k) {
-      const double weight = 1.0 + std::cos(kPi * static_cast<double>(k) / static_cast<double>(reach + 1));
-      sum += weight * values[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(i + k, 0, last))];
-      weights += weight;
-    }
-    result[static_cast<std::size_t>(i)] = sum / weights;
-  }
-  return result;
 }
 
 /// Speed, turn rate and gait of every frame as asked, margins included.
@@ -98,7 +83,7 @@ GaitTrack askedTrack(const GaitRequest& request) {
 void smoothChannel(GaitTrack& track, double GaitMoment::*channel, double halfWidthFrames) {
   std::vector<double> values;
   for (const GaitMoment& moment : track.moments) values.push_back(moment.*channel);
-  values = smoothed(values, halfWidthFrames);
+  values = bellMean(values, static_cast<std::size_t>(std::lround(halfWidthFrames)));
   for (std::size_t i = 0; i < values.size(); ++i) track.moments[i].*channel = values[i];
 }
 
@@ -109,13 +94,25 @@ double cadenceAt(const GaitMoment& moment) {
   return std::lerp(kSteppingCadence * turningGate(moment), going, smoothStep(moment.speed / 0.15));
 }
 
-/// The phase by the trapezoidal rule, from zero at the first frame.
-void integratePhase(GaitTrack& track, double fps) {
+/// The phase by the trapezoidal rule, from zero at the first frame; steps are quicker and longer or slower
+/// and shorter by what the noise says.
+void integratePhase(GaitTrack& track, const GaitRequest& request) {
+  const double fps = request.framesPerSecond;
+  const double frames = static_cast<double>(track.moments.size());
+  Random random(request.seed);
+  const auto most = static_cast<std::size_t>(frames / fps * kMostStepsPerSecond) + 2;
+  const StepNoise rhythm(random, most);
+  const StepNoise length(random, most);
   for (std::size_t i = 1; i < track.moments.size(); ++i) {
     const GaitMoment& before = track.moments[i - 1];
     GaitMoment& now = track.moments[i];
-    now.phase = before.phase + (cadenceAt(before) + cadenceAt(now)) * 0.5 / fps;
+    const double pace = 1.0 + request.variation * kRhythmVariation * rhythm.at(before.steps);
+    now.phase = before.phase + pace * (cadenceAt(before) + cadenceAt(now)) * 0.5 / fps;
+    now.steps = now.phase / kPi;
   }
+  for (GaitMoment& moment : track.moments)
+    moment.speed *= 1.0 + request.variation * (kRhythmVariation * rhythm.at(moment.steps) +
+                                               kLengthVariation * length.at(moment.steps));
 }
 
 /// How much more of the turn falls to this moment than on average: people turn while the outer foot carries,
@@ -219,7 +216,7 @@ Result<GaitTrack> layTrack(const GaitRequest& request) {
   smoothChannel(track, &GaitMoment::speed, request.speedBlendSeconds * fps);
   smoothChannel(track, &GaitMoment::turnRate, request.turnBlendSeconds * fps);
   smoothChannel(track, &GaitMoment::jogShare, request.gaitBlendSeconds * fps);
-  integratePhase(track, fps);
+  integratePhase(track, request);
   settlePhase(track, request);
   emphasiseOuterFoot(track);
   integratePath(track, fps);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,6 +30,10 @@ struct GaitRequest {
   double speedBlendSeconds = 0.5;  ///< Half the time that a change of speed takes; 0..2
   double turnBlendSeconds = 0.3;   ///< The same for the turn rate; 0..2
   double gaitBlendSeconds = 0.6;   ///< The same for the change between walk and jog; 0..2
+  /// How much one step differs from the next, and of the jolts and fine unrest of a living body: 1 about as
+  /// much as people, 0 none; 0..2.
+  double variation = 1.0;
+  std::uint64_t seed = 1;  ///< Of the variation.
 };
 
 /// Where the smooth path is and how one goes there, at one frame.
@@ -40,6 +45,7 @@ struct GaitMoment {
   double turnAcceleration = 0.0;  ///< rad/s^2
   double jogShare = 0.0;          ///< 0 walking .. 1 jogging
   double phase = 0.0;             ///< rad, not wrapped
+  double steps = 0.0;             ///< Since the first moment, not whole.
 };
 
 /// Frames of a request with `margin` more before and after, in which the first and the last segment simply go

@@ -147,6 +147,15 @@ TEST(LibraryBuilder, mirrorsEveryClipWhenAsked) {
   EXPECT_EQ(faultIn(library).value_or(""), "");
 }
 
+TEST(LibraryBuilder, keepsMoreTransitionsOfASmallerNeighbourhood) {
+  const auto transitionsWithin = [](std::uint32_t frames) {
+    const auto built = buildLibrary(threeWalks(), {.neighbourFrames = frames});
+    return built ? built->report.transitionsBeforePruning : 0;
+  };
+  EXPECT_GT(transitionsWithin(0), transitionsWithin(6));
+  EXPECT_GE(transitionsWithin(6), transitionsWithin(12));
+}
+
 TEST(LibraryBuilder, refusesParamsOutOfRange) {
   EXPECT_EQ(errorOf(threeWalks(), {.thresholdMetres = 0.0}).message,
             "a threshold of 0 m, more than 0 expected");
@@ -154,6 +163,8 @@ TEST(LibraryBuilder, refusesParamsOutOfRange) {
             "transitions of 1 frames, 2 to 120 expected");
   EXPECT_EQ(errorOf(threeWalks(), {.framesPerSecond = 241.0}).message,
             "241 frames a second, 1 to 240 expected");
+  EXPECT_EQ(errorOf(threeWalks(), {.neighbourFrames = 101}).message,
+            "a neighbourhood of 101 frames, 0 to 100 expected");
   EXPECT_EQ(errorOf(threeWalks(), {.framesPerSecond = 241.0}).code, ErrorCode::kInvalidArgument);
   EXPECT_EQ(errorOf({}).message, "no clips, at least one expected");
 }

@@ -29,7 +29,9 @@ GaitRequest leftTurn(double turnRate) {
 }
 
 TEST(LayTrack, startsAtTheOriginAndGoesStraight) {
-  const GaitTrack track = laid({"straight", {{2.0, 1.5}}});
+  GaitRequest request{"straight", {{2.0, 1.5}}};
+  request.variation = 0.0;
+  const GaitTrack track = laid(request);
   EXPECT_EQ(first(track).place, Vec2::Zero());
   EXPECT_NEAR(last(track).place.y(), 1.5 * 59.0 / 30.0, 1e-9);
   EXPECT_NEAR(last(track).place.x(), 0.0, 1e-12);
@@ -49,8 +51,25 @@ TEST(LayTrack, changesSpeedWithoutSteps) {
 }
 
 TEST(LayTrack, advancesThePhaseByTheCadence) {
-  const GaitTrack track = laid({"straight", {{2.0, 1.3}}});
+  GaitRequest request{"straight", {{2.0, 1.3}}};
+  request.variation = 0.0;
+  const GaitTrack track = laid(request);
   EXPECT_NEAR(last(track).phase - first(track).phase, gaitCadence(Gait::kWalk, 1.3, 0.0) * 59.0 / 30.0, 1e-9);
+}
+
+TEST(LayTrack, variesStepsByAPercentAboutTheLaw) {
+  GaitRequest request{"straight", {{30.0, 1.3}}};
+  const GaitTrack track = laid(request);
+  double smallest = 9.0;
+  double largest = 0.0;
+  for (const GaitMoment& moment : track.moments) {
+    smallest = std::min(smallest, moment.speed);
+    largest = std::max(largest, moment.speed);
+  }
+  EXPECT_GT(largest - smallest, 0.01 * 1.3);
+  EXPECT_LT(largest - smallest, 0.10 * 1.3);
+  request.seed = 2;
+  EXPECT_NE(last(laid(request)).phase, last(track).phase);
 }
 
 TEST(LayTrack, bringsThePhaseToWhatIsAskedAtEitherEnd) {
