@@ -131,6 +131,10 @@ void addBuildCommand(CLI::App& program, int& exitCode) {
       ->capture_default_str();
   command->add_option("--transition-frames", params.transitionFrames, "Length of a transition")
       ->capture_default_str();
+  command
+      ->add_option("--neighbours", params.neighbourFrames,
+                   "Keep only the best of the transitions within so many frames of each other")
+      ->capture_default_str();
   command->add_option("--fps", params.framesPerSecond, "Frames a second of the library")
       ->capture_default_str();
   command->add_option("--units", arguments->units, "auto, m, cm, in or metres per unit")

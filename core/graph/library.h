@@ -18,6 +18,8 @@ struct LibraryParams {
   std::uint32_t transitionFrames = 13;  ///< l of section 5.3.2, 2..120 (thesis: 13).
   double framesPerSecond = 30.0;        ///< Rate of the whole library, 1..240.
   bool mirror = false;                  ///< Also every clip with left and right swapped.
+  /// Of transitions that lie within this many frames of each other only the best is kept, 0..100.
+  std::uint32_t neighbourFrames = 6;
 };
 
 /// Which foot joints touch the floor, a bit for each entry of MotionLibrary::contactJoints.

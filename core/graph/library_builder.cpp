@@ -38,7 +38,9 @@ enum class Stage {
 };
 
 ValleyParams valleyParams(const LibraryParams& params) {
-  return {.thresholdMetres = params.thresholdMetres, .transitionFrames = params.transitionFrames};
+  return {.thresholdMetres = params.thresholdMetres,
+          .transitionFrames = params.transitionFrames,
+          .neighbourFrames = params.neighbourFrames};
 }
 
 std::optional<Error> faultInClip(const BvhDocument& document, const BvhDocument& first) {

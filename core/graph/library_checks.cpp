@@ -104,6 +104,8 @@ Fault faultIn(const LibraryParams& params) {
     return fmt::format("transitions of {} frames, 2 to 120 expected", params.transitionFrames);
   if (!isBetween(params.framesPerSecond, 1.0, 240.0))
     return fmt::format("{} frames a second, 1 to 240 expected", params.framesPerSecond);
+  if (params.neighbourFrames > 100)
+    return fmt::format("a neighbourhood of {} frames, 0 to 100 expected", params.neighbourFrames);
   return {};
 }
 

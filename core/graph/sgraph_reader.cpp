@@ -111,7 +111,7 @@ void readRest(const sgraph::Library& file, MotionLibrary& library) {
   library.contacts.assign(file.contacts()->begin(), file.contacts()->end());
   library.floorHeightMetres = file.floor_height_metres();
   library.params = {file.threshold_metres(), file.transition_frames(), file.frames_per_second(),
-                    file.mirror()};
+                    file.mirror(), file.neighbour_frames()};
   library.license = text(file.license());
   library.hash = file.hash();
 }

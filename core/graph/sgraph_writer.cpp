@@ -119,6 +119,7 @@ void writeLibrary(FlatBufferBuilder& builder, const MotionLibrary& library) {
   table.add_transition_frames(library.params.transitionFrames);
   table.add_mirror(library.params.mirror);
   table.add_license(license);
+  table.add_neighbour_frames(library.params.neighbourFrames);
   sgraph::FinishLibraryBuffer(builder, table.Finish());
 }
 
