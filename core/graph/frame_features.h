@@ -29,7 +29,7 @@ FeatureBasis featureBasis(const Skeleton& skeleton, std::span<const Clip> clips)
 class ClipFeatures {
  public:
   /// Columns of a row are padded by this many zeros at least, so that blocks may run over the end.
-  static constexpr std::size_t kPadding = 16;
+  static constexpr std::size_t kPadding = 24;
   /// The path of the centre through a window: 4 directions beside the mean span 5 frames.
   static constexpr std::size_t kMotionTerms = 8;
 

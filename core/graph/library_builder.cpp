@@ -7,13 +7,11 @@
 
 #include "base/check.h"
 #include "graph/clip_intake.h"
-#include "graph/graph_building.h"
 #include "graph/jerks.h"
 #include "graph/library_checks.h"
+#include "graph/library_connection.h"
 #include "graph/pose_distance.h"
-#include "graph/region_transitions.h"
 #include "graph/sgraph_file.h"
-#include "graph/survival.h"
 #include "graph/transition_scan.h"
 #include "motion/contacts.h"
 #include "motion/facing.h"
@@ -22,9 +20,6 @@ namespace stridegraph {
 namespace {
 
 constexpr const char* kNoClips = "no clips, at least one expected";
-
-/// A strong part that holds less than this share of the frames is hardly a library.
-constexpr double kTinyShare = 0.1;
 
 enum class Stage {
   kPrepare,
@@ -107,7 +102,6 @@ struct LibraryBuilder::State {
   void levelsOfOne();
   void contactsOfOne();
   void seal();
-  void countGraph(const MotionGraph& whole);
   const std::vector<Clip>& clips() const { return intake.clips(); }
   void enter(Stage following) {
     stage = following;
@@ -192,27 +186,6 @@ void LibraryBuilder::State::seal() {
   enter(Stage::kDone);
 }
 
-void LibraryBuilder::State::countGraph(const MotionGraph& whole) {
-  report.framePairs = scan->framePairs();
-  report.nodesBeforePruning = whole.nodes.size();
-  report.clipPiecesBeforePruning = whole.clipPieceCount();
-  report.transitionsBeforePruning = whole.transitionCount();
-  report.nodes = library.graph.nodes.size();
-  report.clipPieces = library.graph.clipPieceCount();
-  report.transitions = library.graph.transitionCount();
-  std::size_t surviving = 0;
-  for (const ClipFate& fate : report.clips) surviving += fate.survivingFrames;
-  const std::size_t all = library.frames.frameCount();
-  report.survivingShare = static_cast<double>(surviving) / static_cast<double>(all);
-  if (report.survivingShare >= kTinyShare || surviving == 0) return;
-  report.warnings.push_back(
-      {fmt::format(
-           "only {} of {} frames are in the graph: walks can use next to nothing of these clips; more "
-           "clips, a larger threshold, shorter transitions or mirroring may help",
-           surviving, all),
-       {}});
-}
-
 void LibraryBuilder::State::jerksOfOne() {
   if (next == 0) collectFrames();
   const std::vector<Jerk> found = findJerks(library, JointIndex(next));
@@ -237,20 +210,10 @@ void LibraryBuilder::State::warnOfJerks() {
 }
 
 void LibraryBuilder::State::connect() {
+  report.framePairs = scan->framePairs();
   library.regions = scan->take();
-  std::vector<FrameTransition> transitions = transitionsOf(library.regions);
-  std::erase_if(transitions, [&](const FrameTransition& one) { return blendsAcross(jerks, one); });
-  const MotionGraph whole = buildGraph(steadyFrameCounts(library, jerks), transitions);
-  library.graph = withoutPassThroughNodes(largestStronglyConnectedPart(whole));
-  report.clips = clipFates(library, transitions);
-  countGraph(whole);
-  if (library.graph.nodes.empty())
-    return refuse(
-        ErrorCode::kEmptyGraph,
-        fmt::format(
-            "{} transitions were found within {} m, but no walk along them could go on for ever; more "
-            "clips, a larger threshold, shorter transitions or mirroring may help",
-            transitions.size(), library.params.thresholdMetres));
+  const Result<void> connected = connectLibrary(library, jerks, report);
+  if (!connected) return refuse(connected.error().code, connected.error().message);
   enter(Stage::kLevels);
 }
 
