@@ -16,6 +16,7 @@ namespace {
 struct BuildArguments {
   std::vector<std::string> clipPaths;
   std::string libraryPath;
+  std::string appendPath;
   std::string reportPath;
   std::string license;
   std::string units = "auto";
@@ -98,10 +99,20 @@ int refuse(const Error& error, int code) {
   return code;
 }
 
-int runBuild(const BuildArguments& arguments) {
+Result<LibraryBuilder> startBuilder(const BuildArguments& arguments) {
   auto clips = readClips(arguments);
-  if (!clips) return refuse(clips.error(), kWrongUse);
-  auto builder = LibraryBuilder::start(std::move(*clips), arguments.params, arguments.license);
+  if (!clips) return fail(std::move(clips));
+  if (arguments.appendPath.empty())
+    return LibraryBuilder::start(std::move(*clips), arguments.params, arguments.license);
+  const auto bytes = readFile(arguments.appendPath);
+  if (!bytes) return tl::unexpected<Error>(bytes.error());
+  auto library = readSgraph(bytesOf(*bytes));
+  if (!library) return fail(library.error().code, library.error().message, {arguments.appendPath});
+  return LibraryBuilder::append(std::move(*library), std::move(*clips), arguments.license);
+}
+
+int runBuild(const BuildArguments& arguments) {
+  auto builder = startBuilder(arguments);
   if (!builder) return refuse(builder.error(), kWrongUse);
   while (builder->step()) {
   }
@@ -127,20 +138,24 @@ void addBuildCommand(CLI::App& program, int& exitCode) {
   LibraryParams& params = arguments->params;
   command->add_option("clips", arguments->clipPaths, "Clips (BVH)")->required();
   command->add_option("-o,--output", arguments->libraryPath, "Library to write (.sgraph)")->required();
-  command->add_option("--threshold", params.thresholdMetres, "Largest distance along a transition, metres")
-      ->capture_default_str();
-  command->add_option("--transition-frames", params.transitionFrames, "Length of a transition")
-      ->capture_default_str();
-  command
-      ->add_option("--neighbours", params.neighbourFrames,
-                   "Keep only the best of the transitions within so many frames of each other")
-      ->capture_default_str();
-  command->add_option("--fps", params.framesPerSecond, "Frames a second of the library")
-      ->capture_default_str();
+  CLI::Option* append = command->add_option(
+      "--append", arguments->appendPath,
+      "Go on from this library (.sgraph), with its settings; only new frames are compared");
+  const auto setting = [&](const std::string& name, auto& value, const std::string& meaning) {
+    command->add_option(name, value, meaning)->capture_default_str()->excludes(append);
+  };
+  setting("--threshold", params.thresholdMetres, "Largest distance along a transition, metres");
+  setting("--transition-frames", params.transitionFrames, "Length of a transition");
+  setting("--neighbours", params.neighbourFrames,
+          "Keep only the best of the transitions within so many frames of each other");
+  setting("--span-ratio", params.largestSpanRatio,
+          "How many times longer one side of a transition may be than the other, 1 to 2");
+  setting("--fps", params.framesPerSecond, "Frames a second of the library");
   command->add_option("--units", arguments->units, "auto, m, cm, in or metres per unit")
       ->capture_default_str();
   command->add_option("--up", arguments->up)->check(CLI::IsMember({"auto", "y", "z"}))->capture_default_str();
-  command->add_flag("--mirror", params.mirror, "Also every clip with left and right swapped");
+  command->add_flag("--mirror", params.mirror, "Also every clip with left and right swapped")
+      ->excludes(append);
   command->add_option("--license", arguments->license, "A line on origin and terms, kept in the library");
   command->add_option("--report", arguments->reportPath, "Write the report (JSON)");
   command->callback([arguments, &exitCode] { exitCode = runBuild(*arguments); });

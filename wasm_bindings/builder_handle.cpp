@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "graph/sgraph_file.h"
 #include "js_values.h"
 #include "library_handle.h"
 
@@ -39,10 +40,16 @@ val reportValue(const BuildReport& report) {
 
 }  // namespace
 
-val BuilderHandle::create(const val& options) {
+val BuilderHandle::create(const val& options, const val& base) {
   Result<BuildOptions> read = readBuildOptions(options);
   if (!read) return refuse(read.error());
-  return succeed(val(std::make_shared<BuilderHandle>(*std::move(read))));
+  std::optional<MotionLibrary> library;
+  if (!base.isUndefined()) {
+    Result<MotionLibrary> opened = readSgraph(emscripten::convertJSArrayToNumberVector<std::uint8_t>(base));
+    if (!opened) return refuse(opened.error());
+    library = *std::move(opened);
+  }
+  return succeed(val(std::make_shared<BuilderHandle>(*std::move(read), std::move(library))));
 }
 
 val BuilderHandle::addClip(const std::string& name, const std::string& text) {
@@ -54,7 +61,9 @@ val BuilderHandle::addClip(const std::string& name, const std::string& text) {
 
 val BuilderHandle::start() {
   Result<LibraryBuilder> builder =
-      LibraryBuilder::start(std::move(documents_), options_.library, options_.license);
+      base_ ? LibraryBuilder::append(*std::move(base_), std::move(documents_), options_.license)
+            : LibraryBuilder::start(std::move(documents_), options_.library, options_.license);
+  base_.reset();
   documents_.clear();
   if (!builder) return refuse(builder.error());
   builder_.emplace(*std::move(builder));

@@ -15,10 +15,12 @@ namespace stridegraph::bindings {
 /// Builds a library from BVH texts in small steps: every clip read is one, then those of LibraryBuilder.
 class BuilderHandle {
  public:
-  /// {value: LibraryBuilder}, or why the options will not do; see BuildOptions in stridegraph.d.ts.
-  static emscripten::val create(const emscripten::val& options);
+  /// {value: LibraryBuilder}, or why the options will not do; see BuildOptions in stridegraph.d.ts. `base` is
+  /// undefined, or the .sgraph bytes of the library to append to.
+  static emscripten::val create(const emscripten::val& options, const emscripten::val& base);
 
-  explicit BuilderHandle(BuildOptions options) : options_(std::move(options)) {}
+  BuilderHandle(BuildOptions options, std::optional<MotionLibrary> base)
+      : options_(std::move(options)), base_(std::move(base)) {}
 
   /// Reads one clip: {value: undefined} or its error.
   emscripten::val addClip(const std::string& name, const std::string& text);
@@ -31,6 +33,7 @@ class BuilderHandle {
 
  private:
   BuildOptions options_;
+  std::optional<MotionLibrary> base_;
   std::vector<BvhDocument> documents_;
   std::optional<LibraryBuilder> builder_;
 };

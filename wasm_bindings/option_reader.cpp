@@ -71,6 +71,12 @@ bool OptionReader::isText(const char* name) const {
   return options_[name].isString();
 }
 
+bool OptionReader::isGiven(const char* name) {
+  known_.emplace_back(name);
+  const val value = options_[name];
+  return !value.isUndefined() && !value.isNull();
+}
+
 void OptionReader::refuse(std::string message) {
   if (fault_.empty()) fault_ = std::move(message);
 }

@@ -25,6 +25,9 @@ class OptionReader {
   /// Whether a member is given as a text; for those that may be a text or a number.
   bool isText(const char* name) const;
 
+  /// Whether a member is there at all. It counts as asked for.
+  bool isGiven(const char* name);
+
   void refuse(std::string message);
   /// The first fault, or a member that nobody asked for: a misspelt option must not pass unseen.
   Result<void> check() const;

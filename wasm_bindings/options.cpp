@@ -56,6 +56,17 @@ std::string eitherName(std::string_view one, std::string_view other) {
   return fmt::format("{} or {}", one, other);
 }
 
+/// A library that is appended to keeps its settings.
+void refuseSettingsBesideAppend(OptionReader& reader) {
+  if (!reader.isGiven("append")) return;
+  for (const char* name : {"threshold", "transitionFrames", "fps", "mirror", "neighbours", "spanRatio"}) {
+    if (reader.isGiven(name)) {
+      reader.refuse(
+          fmt::format("build options: found {} beside append, expected none: the library keeps its own", name));
+    }
+  }
+}
+
 }  // namespace
 
 Result<PlanOptions> readPlanOptions(const val& options) {
@@ -86,6 +97,11 @@ Result<BuildOptions> readBuildOptions(const val& options) {
   if (const auto frames = reader.wholeNumber("transitionFrames")) {
     read.library.transitionFrames = static_cast<std::uint32_t>(std::min(*frames, 4294967295.0));
   }
+  if (const auto frames = reader.wholeNumber("neighbours")) {
+    read.library.neighbourFrames = static_cast<std::uint32_t>(std::min(*frames, 4294967295.0));
+  }
+  read.library.largestSpanRatio = reader.number("spanRatio").value_or(read.library.largestSpanRatio);
+  refuseSettingsBesideAppend(reader);
   read.reading.unitsPerMetre = readUnits(reader);
   read.reading.up = readUp(reader);
   read.license = reader.text("license").value_or("");

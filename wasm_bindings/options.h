@@ -12,7 +12,8 @@ namespace stridegraph::bindings {
 /// PlanOptions of stridegraph.d.ts, without the clock. Fails with kInvalidArgument.
 Result<PlanOptions> readPlanOptions(const emscripten::val& options);
 
-/// BuildOptions of stridegraph.d.ts.
+/// BuildOptions of stridegraph.d.ts. `append` is left to the caller; beside it no setting of a library may be
+/// given.
 struct BuildOptions {
   LibraryParams library;
   BvhReadParams reading;

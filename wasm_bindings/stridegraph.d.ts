@@ -193,6 +193,7 @@ export interface Warning {
 
 /** What building found, kept and dropped, and why. */
 export interface BuildReport {
+  /** Pairs of frames compared now; what a library that was appended to knew is not among them. */
   framePairs: number
   nodesBeforePruning: number
   clipPiecesBeforePruning: number
@@ -235,6 +236,16 @@ export interface BuildOptions {
   fps?: number
   /** Also every clip with left and right swapped. */
   mirror?: boolean
+  /** Of transitions within so many frames of each other only the best is kept, 0..100; 6 when missing. */
+  neighbours?: number
+  /** How many times longer one side of a transition may be than the other, 1..2; 1.5 when missing. */
+  spanRatio?: number
+  /**
+   * .sgraph bytes of a library to go on from: its clips come first and only new frames are compared. It keeps its
+   * settings, so that none of the above may be given, and its license unless there is another. The result is the
+   * same, byte for byte, as building from all clips at once.
+   */
+  append?: ArrayBuffer | ArrayBufferView
   /** Of the files; a number is metres per unit. Inferred when missing or auto. */
   units?: 'auto' | 'm' | 'cm' | 'in' | number
   up?: 'auto' | 'y' | 'z'

@@ -185,7 +185,9 @@ class LibraryBuild {
       }
     })
     this.#clipCount = this.#waiting.length
-    this.#handle = new Handle(module, unpack(module.Builder.create(options)), 'build')
+    const append = options?.append ?? undefined
+    const base = append === undefined ? undefined : bytesOf(module, append)
+    this.#handle = new Handle(module, unpack(module.Builder.create(options, base)), 'build')
   }
 
   get progress() {

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "motion/resample.h"
@@ -26,20 +25,14 @@ Clip atLibraryRate(const Clip& clip, double framesPerSecond) {
   return same;
 }
 
-std::vector<double> floorLiftsMetres(std::span<const double> floorLevelsMetres) {
+double floorLiftMetres(double libraryFloorMetres, double clipFloorMetres) {
   constexpr double kSameFloorMetres = 0.01;
-  std::vector<double> sorted(floorLevelsMetres.begin(), floorLevelsMetres.end());
-  std::sort(sorted.begin(), sorted.end());
-  std::vector<double> lifts;
-  for (const double level : floorLevelsMetres) {
-    const double lift = sorted[(sorted.size() - 1) / 2] - level;
-    lifts.push_back(std::abs(lift) > kSameFloorMetres ? lift : 0.0);
-  }
-  return lifts;
+  const double lift = libraryFloorMetres - clipFloorMetres;
+  return std::abs(lift) > kSameFloorMetres ? lift : 0.0;
 }
 
 Warning liftWarning(const std::string& clipName, double liftMetres) {
-  return {fmt::format("its floor lies {:.1f} cm {} that of the other clips; it was {} to theirs",
+  return {fmt::format("its floor lies {:.1f} cm {} that of the first clip; it was {} to that",
                       100.0 * std::abs(liftMetres), liftMetres < 0.0 ? "above" : "below",
                       liftMetres < 0.0 ? "lowered" : "raised"),
           {clipName}};

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <span>
 #include <string>
 #include <vector>
 
@@ -14,9 +13,9 @@ namespace stridegraph {
 /// file's rounded frame time does not blur what was captured.
 Clip atLibraryRate(const Clip& clip, double framesPerSecond);
 
-/// How far each clip has to be lifted so that floors are at one height: nothing where it is within a
-/// centimetre of the middle one, else up or down to that. Metres.
-std::vector<double> floorLiftsMetres(std::span<const double> floorLevelsMetres);
+/// How far a clip has to be lifted to the library's floor: nothing where it is within a centimetre of it.
+/// Metres.
+double floorLiftMetres(double libraryFloorMetres, double clipFloorMetres);
 
 /// What is said of a clip that was lifted by so much.
 Warning liftWarning(const std::string& clipName, double liftMetres);

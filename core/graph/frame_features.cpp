@@ -30,13 +30,12 @@ float selfProduct(const float* columns, std::size_t stride, std::size_t terms, s
 
 FeatureBasis featureBasis(const Skeleton& skeleton, std::span<const Clip> clips) {
   const std::vector<double> weights = distanceWeights(skeleton);
-  std::vector<double> heightSums(skeleton.size(), 0.0);
-  double frames = 0.0;
+  std::vector<double> heights(skeleton.size(), 0.0);
   for (const Clip& clip : clips) {
     if (clip.frameCount() == 0) continue;
     const std::vector<Vec3> positions = jointPositions(skeleton, clip.pose(clip.frameCount() / 2));
-    for (std::size_t j = 0; j < skeleton.size(); ++j) heightSums[j] += positions[j].y();
-    frames += 1.0;
+    for (std::size_t j = 0; j < skeleton.size(); ++j) heights[j] = positions[j].y();
+    break;
   }
   FeatureBasis basis;
   double total = 0.0;
@@ -45,7 +44,7 @@ FeatureBasis featureBasis(const Skeleton& skeleton, std::span<const Clip> clips)
     if (weights[j] == 0.0) continue;
     basis.joints.emplace_back(j);
     basis.weights.push_back(weights[j] / (total * static_cast<double>(kWindowFrames)));
-    basis.meanHeightsMetres.push_back(frames == 0.0 ? 0.0 : heightSums[j] / frames);
+    basis.heightsMetres.push_back(heights[j]);
   }
   return basis;
 }
@@ -85,7 +84,7 @@ void ClipFeatures::addFrame(const FeatureBasis& basis, std::size_t frame, std::s
     const Vec2 relative = (onFloor(position) - centre) * root;
     planar_[k * stride_ + frame] = static_cast<float>(relative.x());
     planar_[(jointCount_ + k) * stride_ + frame] = static_cast<float>(relative.y());
-    heights_[k * stride_ + frame] = static_cast<float>((position.y() - basis.meanHeightsMetres[k]) * root);
+    heights_[k * stride_ + frame] = static_cast<float>((position.y() - basis.heightsMetres[k]) * root);
   }
 }
 

@@ -8,12 +8,13 @@
 
 namespace stridegraph {
 
-/// What all clips of one comparison share: which joints count, how much, and around which heights.
+/// What all clips of one comparison share: which joints count, how much, and around which heights. Of the
+/// clips only the first that has frames matters, and of that only the one in its middle: clips that are
+/// appended leave it as it is.
 struct FeatureBasis {
-  std::vector<JointIndex> joints;  ///< Those of weight > 0.
-  std::vector<double> weights;     ///< For each of them; sum to 1 over a window.
-  std::vector<double>
-      meanHeightsMetres;  ///< Of one frame of each clip. Taken off, so that products keep digits.
+  std::vector<JointIndex> joints;     ///< Those of weight > 0.
+  std::vector<double> weights;        ///< For each of them; sum to 1 over a window.
+  std::vector<double> heightsMetres;  ///< Taken off, so that products keep digits.
 };
 FeatureBasis featureBasis(const Skeleton& skeleton, std::span<const Clip> clips);
 
@@ -28,7 +29,7 @@ FeatureBasis featureBasis(const Skeleton& skeleton, std::span<const Clip> clips)
 class ClipFeatures {
  public:
   /// Columns of a row are padded by this many zeros at least, so that blocks may run over the end.
-  static constexpr std::size_t kPadding = 16;
+  static constexpr std::size_t kPadding = 24;
   /// The path of the centre through a window: 4 directions beside the mean span 5 frames.
   static constexpr std::size_t kMotionTerms = 8;
 

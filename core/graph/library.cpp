@@ -3,13 +3,14 @@
 #include <algorithm>
 
 #include "base/check.h"
-#include "math/rotation.h"
+#include "motion/transition_blend.h"
 
 namespace stridegraph {
 
 FloorTransform MotionLibrary::placementAt(FrameIndex frame) const {
-  const PoseView pose = frames.pose(frame.value);
-  return {onFloor(pose.rootPosition), separateHeading(pose.rotations[0]).heading - facingOffset};
+  FloorTransform placement = rootPlacement(frames.pose(frame.value));
+  placement.heading = placement.heading - facingOffset;
+  return placement;
 }
 
 const LibraryClip& MotionLibrary::clipOf(FrameIndex frame) const {

@@ -20,6 +20,22 @@ struct LibraryParams {
   bool mirror = false;                  ///< Also every clip with left and right swapped.
   /// Of transitions that lie within this many frames of each other only the best is kept, 0..100.
   std::uint32_t neighbourFrames = 6;
+  /// How many times longer one side of a transition may be than the other, 1 (never) to 2, so that a slow
+  /// and a brisk step connect; see ValleyParams.
+  double largestSpanRatio = 1.5;
+};
+
+/// Two pieces of a library's motion that are alike: frames row..row + rowSpan and column..column +
+/// columnSpan, row < column. A transition leads from `row` to the end of the other piece, and one from
+/// `column` to the end of the first.
+struct AlikeRegion {
+  FrameIndex row;
+  FrameIndex column;
+  std::uint16_t rowSpan = 0;
+  std::uint16_t columnSpan = 0;
+  float distanceMetres = 0.0F;  ///< Mean along it (eq. 5.2, in metres).
+
+  auto operator<=>(const AlikeRegion&) const = default;
 };
 
 /// Which foot joints touch the floor, a bit for each entry of MotionLibrary::contactJoints.
@@ -41,6 +57,9 @@ struct MotionLibrary {
   Clip frames;       ///< All clips one after the other; every number is exactly a 32 bit float.
   std::vector<LibraryClip> clips;
   MotionGraph graph;  ///< Pruned: one strongly connected part.
+  /// All that were found, also where pruning left nothing, in ascending order: clips that are appended need
+  /// not compare these again.
+  std::vector<AlikeRegion> regions;
 
   Heading facingOffset;  ///< Root heading less direction of travel; facing = root heading - facingOffset.
   std::vector<JointIndex> contactJoints;  ///< Ankles and toes; at most 8.

@@ -6,32 +6,31 @@
 #include <optional>
 
 #include "base/check.h"
-#include "graph/clip_preparation.h"
-#include "graph/glitches.h"
-#include "graph/graph_building.h"
+#include "graph/clip_intake.h"
 #include "graph/jerks.h"
 #include "graph/library_checks.h"
+#include "graph/library_connection.h"
 #include "graph/pose_distance.h"
 #include "graph/sgraph_file.h"
-#include "graph/survival.h"
 #include "graph/transition_scan.h"
 #include "motion/contacts.h"
 #include "motion/facing.h"
-#include "motion/mirror.h"
-#include "motion/mirror_map.h"
 
 namespace stridegraph {
 namespace {
 
+constexpr const char* kNoClips = "no clips, at least one expected";
+
 enum class Stage {
   kPrepare,
-  kFindFeet,
+  kMeasure,
   kLevel,
   kMirror,
   kFeatures,
   kScan,
   kJerks,
   kConnect,
+  kLevels,
   kContacts,
   kSeal,
   kDone
@@ -40,22 +39,36 @@ enum class Stage {
 ValleyParams valleyParams(const LibraryParams& params) {
   return {.thresholdMetres = params.thresholdMetres,
           .transitionFrames = params.transitionFrames,
-          .neighbourFrames = params.neighbourFrames};
+          .neighbourFrames = params.neighbourFrames,
+          .largestSpanRatio = params.largestSpanRatio};
 }
 
-std::optional<Error> faultInClip(const BvhDocument& document, const BvhDocument& first) {
+/// What a clip's skeleton has to be, and whose that is.
+struct ExpectedSkeleton {
+  const Skeleton& skeleton;
+  std::string owner;
+};
+
+std::optional<Error> faultInClip(const BvhDocument& document, const ExpectedSkeleton& expected) {
   const std::string& name = document.clip.name;
   if (const auto fault = faultIn(document.skeleton))
     return Error{ErrorCode::kInvalidArgument, *fault, {name}};
-  const std::string difference = differenceBetween(first.skeleton, document.skeleton);
+  const std::string difference = differenceBetween(expected.skeleton, document.skeleton);
   if (!difference.empty())
     return Error{ErrorCode::kSkeletonMismatch,
-                 fmt::format("its skeleton is not that of {}: {}", first.clip.name, difference),
+                 fmt::format("its skeleton is not that of {}: {}", expected.owner, difference),
                  {name}};
   if (const auto fault = faultIn(document.skeleton, document.clip))
     return Error{ErrorCode::kInvalidArgument, *fault, {name}};
   if (document.clip.frameCount() == 0)
     return Error{ErrorCode::kInvalidArgument, "a clip without frames", {name}};
+  return {};
+}
+
+std::optional<Error> faultInClips(const std::vector<BvhDocument>& clips, const ExpectedSkeleton& expected) {
+  for (const BvhDocument& document : clips) {
+    if (auto error = faultInClip(document, expected)) return error;
+  }
   return {};
 }
 
@@ -65,11 +78,8 @@ struct LibraryBuilder::State {
   std::vector<BvhDocument> documents;
   MotionLibrary library;
   BuildReport report;
-  std::optional<MirrorMap> mirrorMap;
-  std::vector<Clip> clips;
-  std::vector<bool> mirrored;               ///< For each of the clips,
-  std::vector<std::vector<double>> levels;  ///< and jointLevelsMetres().
-  std::vector<double> floors;               ///< For each clip that is no mirror image, floorLevelMetres().
+  ClipIntake intake;
+  std::vector<std::vector<double>> levels;  ///< jointLevelsMetres() of each clip.
   FootJoints feet;
   FeatureBasis basis;
   std::vector<ClipFeatures> features;
@@ -79,21 +89,20 @@ struct LibraryBuilder::State {
   Stage stage = Stage::kPrepare;
   std::size_t next = 0;  ///< Clip at hand in stages that go clip by clip.
 
+  explicit State(ClipIntake clipIntake) : intake(std::move(clipIntake)) {}
   void prepareOne();
-  void findFeet();
-  void floorOfOne();
-  void level();
+  void measure();
+  void levelOne();
   void mirrorOne();
   void featuresOfOne();
   void jerksOfOne();
   void warnOfJerks();
   void connect();
-  void addClip(Clip clip, bool isMirrored);
   void collectFrames();
+  void levelsOfOne();
   void contactsOfOne();
   void seal();
-  std::vector<FrameTransition> edgesFrom(const std::vector<FoundTransition>& found) const;
-  void countGraph(const MotionGraph& whole);
+  const std::vector<Clip>& clips() const { return intake.clips(); }
   void enter(Stage following) {
     stage = following;
     next = 0;
@@ -107,124 +116,74 @@ struct LibraryBuilder::State {
 void LibraryBuilder::State::prepareOne() {
   BvhDocument& document = documents[next];
   report.warnings.insert(report.warnings.end(), document.warnings.begin(), document.warnings.end());
-  const Clip clip = atLibraryRate(document.clip, library.params.framesPerSecond);
-  const std::vector<Glitch> glitches = findGlitches(clip);
-  for (const Glitch& glitch : glitches) {
-    report.warnings.push_back(
-        {fmt::format("joint {} turns {:.0f} degrees from frame {} to {}, far more than before and "
-                     "after: cut there",
-                     library.skeleton.joints[glitch.joint.value].name, glitch.turn.degrees(), glitch.frame,
-                     glitch.frame + 1),
-         {clip.name}});
-  }
-  for (Clip& piece : cutAtGlitches(clip, glitches)) addClip(std::move(piece), false);
+  intake.add(document.clip, report.warnings);
   document = {};
-  if (++next == documents.size()) enter(Stage::kFindFeet);
+  if (++next == documents.size()) enter(Stage::kMeasure);
 }
 
-void LibraryBuilder::State::addClip(Clip clip, bool isMirrored) {
-  roundToFloats(library.skeleton, clip);
-  levels.push_back(jointLevelsMetres(library.skeleton, clip));
-  clips.push_back(std::move(clip));
-  mirrored.push_back(isMirrored);
-}
-
-void LibraryBuilder::State::findFeet() {
+void LibraryBuilder::State::measure() {
   const std::size_t needed = library.params.transitionFrames + 2 * kWindowReach;
   std::size_t longest = 0;
-  for (const Clip& clip : clips) longest = std::max(longest, clip.frameCount());
+  for (const Clip& clip : clips()) longest = std::max(longest, clip.frameCount());
   if (longest < needed)
     return refuse(ErrorCode::kClipTooShort,
                   fmt::format("the longest clip has {} frames; transitions of {} need clips of {} at least",
                               longest, library.params.transitionFrames, needed));
-  feet = findFootJoints(library.skeleton, levels);
   enter(Stage::kLevel);
 }
 
-void LibraryBuilder::State::floorOfOne() {
-  floors.push_back(floorLevelMetres(library.skeleton, clips[next], feet.joints));
-  if (++next == clips.size()) level();
-}
-
-void LibraryBuilder::State::level() {
-  const std::vector<double> lifts = floorLiftsMetres(floors);
-  for (std::size_t c = 0; c < clips.size(); ++c) {
-    if (lifts[c] == 0.0) continue;
-    for (Vec3& root : clips[c].rootPositions) root.y() += lifts[c];
-    roundToFloats(library.skeleton, clips[c]);
-    for (double& ofJoint : levels[c]) ofJoint += lifts[c];
-    report.warnings.push_back(liftWarning(clips[c].name, lifts[c]));
-  }
+void LibraryBuilder::State::levelOne() {
+  intake.level(next, report.warnings);
+  if (++next < clips().size()) return;
   if (!library.params.mirror) return enter(Stage::kFeatures);
-  Result<MirrorMap> map = findMirrorMap(library.skeleton, clips);
-  if (!map) return refuse(map.error().code, map.error().message);
-  mirrorMap = std::move(*map);
+  if (const Result<void> found = intake.findMirror(); !found)
+    return refuse(found.error().code, found.error().message);
   enter(Stage::kMirror);
 }
 
 void LibraryBuilder::State::mirrorOne() {
-  Clip mirror = stridegraph::mirrored(library.skeleton, *mirrorMap, clips[next]);
-  mirror.name = clips[next].name + " mirrored";
-  addClip(std::move(mirror), true);
-  if (2 * ++next == clips.size()) enter(Stage::kFeatures);
+  intake.addMirrorOf(next);
+  if (++next == intake.originals()) enter(Stage::kFeatures);
 }
 
 void LibraryBuilder::State::featuresOfOne() {
-  if (next == 0) basis = featureBasis(library.skeleton, clips);
-  features.emplace_back(library.skeleton, basis, clips[next]);
-  if (++next < clips.size()) return;
-  scan.emplace(std::move(features), valleyParams(library.params));
+  if (next == 0) basis = featureBasis(library.skeleton, clips());
+  features.emplace_back(library.skeleton, basis, clips()[next]);
+  if (++next < clips().size()) return;
+  scan.emplace(std::move(features), valleyParams(library.params), intake.takeKnown());
   enter(Stage::kScan);
 }
 
 void LibraryBuilder::State::collectFrames() {
   library.frames.framesPerSecond = library.params.framesPerSecond;
   library.frames.jointCount = library.skeleton.size();
-  for (std::size_t c = 0; c < clips.size(); ++c) {
-    library.clips.push_back({clips[c].name, static_cast<std::uint32_t>(library.frames.frameCount()),
-                             static_cast<std::uint32_t>(clips[c].frameCount()), mirrored[c]});
-    for (std::size_t f = 0; f < clips[c].frameCount(); ++f) library.frames.append(clips[c].pose(f));
+  for (std::size_t c = 0; c < clips().size(); ++c) {
+    const Clip& clip = clips()[c];
+    library.clips.push_back({clip.name, static_cast<std::uint32_t>(library.frames.frameCount()),
+                             static_cast<std::uint32_t>(clip.frameCount()), intake.isMirrored(c)});
+    for (std::size_t f = 0; f < clip.frameCount(); ++f) library.frames.append(clip.pose(f));
   }
 }
 
+void LibraryBuilder::State::levelsOfOne() {
+  levels.push_back(jointLevelsMetres(library.skeleton, clips()[next]));
+  if (++next < clips().size()) return;
+  feet = findFootJoints(library.skeleton, levels);
+  enter(Stage::kContacts);
+}
+
 void LibraryBuilder::State::contactsOfOne() {
-  if (next == 0) feet = findFootJoints(library.skeleton, levels);
-  const std::vector<std::uint8_t> contacts = footContacts(library.skeleton, clips[next], feet);
+  const std::vector<std::uint8_t> contacts = footContacts(library.skeleton, clips()[next], feet);
   library.contacts.insert(library.contacts.end(), contacts.begin(), contacts.end());
-  if (++next == clips.size()) enter(Stage::kSeal);
+  if (++next == clips().size()) enter(Stage::kSeal);
 }
 
 void LibraryBuilder::State::seal() {
-  library.facingOffset = facingOffset(clips);
+  library.facingOffset = facingOffset(clips());
   library.contactJoints = feet.joints;
   library.floorHeightMetres = *std::min_element(feet.levelsMetres.begin(), feet.levelsMetres.end());
   library.hash = sgraphHash(library);
   enter(Stage::kDone);
-}
-
-std::vector<FrameTransition> LibraryBuilder::State::edgesFrom(
-    const std::vector<FoundTransition>& found) const {
-  const std::uint32_t span = library.params.transitionFrames - 1;
-  std::vector<FrameTransition> edges;
-  for (const FoundTransition& transition : found) {
-    edges.push_back({FrameIndex(library.clips[transition.from.clip].firstFrame + transition.from.frame),
-                     FrameIndex(library.clips[transition.to.clip].firstFrame + transition.to.frame), span,
-                     span, span, static_cast<float>(transition.meanDistanceMetres)});
-  }
-  return edges;
-}
-
-void LibraryBuilder::State::countGraph(const MotionGraph& whole) {
-  report.framePairs = scan->framePairs();
-  report.nodesBeforePruning = whole.nodes.size();
-  report.clipPiecesBeforePruning = whole.clipPieceCount();
-  report.transitionsBeforePruning = whole.transitionCount();
-  report.nodes = library.graph.nodes.size();
-  report.clipPieces = library.graph.clipPieceCount();
-  report.transitions = library.graph.transitionCount();
-  std::size_t surviving = 0;
-  for (const ClipFate& fate : report.clips) surviving += fate.survivingFrames;
-  report.survivingShare = static_cast<double>(surviving) / static_cast<double>(library.frames.frameCount());
 }
 
 void LibraryBuilder::State::jerksOfOne() {
@@ -251,21 +210,11 @@ void LibraryBuilder::State::warnOfJerks() {
 }
 
 void LibraryBuilder::State::connect() {
-  const std::vector<FoundTransition> found = scan->take();
-  std::vector<FrameTransition> transitions = edgesFrom(found);
-  std::erase_if(transitions, [&](const FrameTransition& one) { return blendsAcross(jerks, one); });
-  const MotionGraph whole = buildGraph(steadyFrameCounts(library, jerks), transitions);
-  library.graph = withoutPassThroughNodes(largestStronglyConnectedPart(whole));
-  report.clips = clipFates(library, found);
-  countGraph(whole);
-  if (library.graph.nodes.empty())
-    return refuse(
-        ErrorCode::kEmptyGraph,
-        fmt::format(
-            "{} transitions were found within {} m, but no walk along them could go on for ever; more "
-            "clips, a larger threshold, shorter transitions or mirroring may help",
-            found.size(), library.params.thresholdMetres));
-  enter(Stage::kContacts);
+  report.framePairs = scan->framePairs();
+  library.regions = scan->take();
+  const Result<void> connected = connectLibrary(library, jerks, report);
+  if (!connected) return refuse(connected.error().code, connected.error().message);
+  enter(Stage::kLevels);
 }
 
 LibraryBuilder::LibraryBuilder(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -276,15 +225,30 @@ LibraryBuilder::~LibraryBuilder() = default;
 Result<LibraryBuilder> LibraryBuilder::start(std::vector<BvhDocument> clips, const LibraryParams& params,
                                              std::string license) {
   if (const auto fault = faultIn(params)) return fail(ErrorCode::kInvalidArgument, *fault);
-  if (clips.empty()) return fail(ErrorCode::kInvalidArgument, "no clips, at least one expected");
-  for (const BvhDocument& document : clips) {
-    if (auto error = faultInClip(document, clips.front())) return tl::unexpected<Error>(std::move(*error));
-  }
-  auto state = std::make_unique<State>();
+  if (clips.empty()) return fail(ErrorCode::kInvalidArgument, kNoClips);
+  if (auto error = faultInClips(clips, {clips.front().skeleton, clips.front().clip.name}))
+    return tl::unexpected<Error>(*std::move(error));
+  auto state = std::make_unique<State>(ClipIntake(clips.front().skeleton, params));
   state->library.skeleton = clips.front().skeleton;
   state->library.layout = clips.front().layout;
   state->library.params = params;
   state->library.license = std::move(license);
+  state->documents = std::move(clips);
+  return LibraryBuilder(std::move(state));
+}
+
+Result<LibraryBuilder> LibraryBuilder::append(MotionLibrary library, std::vector<BvhDocument> clips,
+                                              std::string license) {
+  if (clips.empty()) return fail(ErrorCode::kInvalidArgument, kNoClips);
+  if (auto error = faultInClips(clips, {library.skeleton, "the library"}))
+    return tl::unexpected<Error>(*std::move(error));
+  MotionLibrary next;
+  next.skeleton = library.skeleton;
+  next.layout = library.layout;
+  next.params = library.params;
+  next.license = license.empty() ? library.license : std::move(license);
+  auto state = std::make_unique<State>(ClipIntake(std::move(library)));
+  state->library = std::move(next);
   state->documents = std::move(clips);
   return LibraryBuilder(std::move(state));
 }
@@ -295,11 +259,11 @@ bool LibraryBuilder::step() {
     case Stage::kPrepare:
       state.prepareOne();
       break;
-    case Stage::kFindFeet:
-      state.findFeet();
+    case Stage::kMeasure:
+      state.measure();
       break;
     case Stage::kLevel:
-      state.floorOfOne();
+      state.levelOne();
       break;
     case Stage::kMirror:
       state.mirrorOne();
@@ -315,6 +279,9 @@ bool LibraryBuilder::step() {
       break;
     case Stage::kConnect:
       state.connect();
+      break;
+    case Stage::kLevels:
+      state.levelsOfOne();
       break;
     case Stage::kContacts:
       state.contactsOfOne();
@@ -336,22 +303,24 @@ double LibraryBuilder::progress() const {
   switch (state_->stage) {
     case Stage::kPrepare:
       return 0.04 * share(state_->documents.size());
-    case Stage::kFindFeet:
+    case Stage::kMeasure:
       return 0.04;
     case Stage::kLevel:
-      return 0.04 + 0.01 * share(state_->clips.size());
+      return 0.04 + 0.01 * share(state_->clips().size());
     case Stage::kMirror:
       return 0.05;
     case Stage::kFeatures:
-      return 0.05 + 0.05 * share(state_->clips.size());
+      return 0.05 + 0.05 * share(state_->clips().size());
     case Stage::kScan:
       return 0.1 + 0.8 * state_->scan->progress();
     case Stage::kJerks:
       return 0.9 + 0.01 * share(state_->library.skeleton.size());
     case Stage::kConnect:
       return 0.91;
+    case Stage::kLevels:
+      return 0.92 + 0.03 * share(state_->clips().size());
     case Stage::kContacts:
-      return 0.92 + 0.06 * share(state_->clips.size());
+      return 0.95 + 0.03 * share(state_->clips().size());
     case Stage::kSeal:
       return 0.98;
     case Stage::kDone:

@@ -23,7 +23,7 @@ struct ClipFate {
 
 /// What building found, kept and dropped, and why.
 struct BuildReport {
-  std::size_t framePairs = 0;  ///< Compared.
+  std::size_t framePairs = 0;  ///< Compared; pairs that an appended library knew already not among them.
   std::size_t nodesBeforePruning = 0, clipPiecesBeforePruning = 0, transitionsBeforePruning = 0;
   std::size_t nodes = 0, clipPieces = 0, transitions = 0;
   double survivingShare = 0.0;  ///< Of all frames.
@@ -38,6 +38,13 @@ class LibraryBuilder {
   /// Takes the clips in; refuses those that cannot make up one library, with the reason.
   static Result<LibraryBuilder> start(std::vector<BvhDocument> clips, const LibraryParams& params,
                                       std::string license = {});
+
+  /// Goes on from a library: its clips, params and, unless another is given, its licence line stay. The
+  /// result is the same, bit for bit, as of start() with the library's clips and then these; but only new
+  /// frames are compared, with old and new ones. Where the mirror images of the library's clips change
+  /// (ClipIntake), they are new, too.
+  static Result<LibraryBuilder> append(MotionLibrary library, std::vector<BvhDocument> clips,
+                                       std::string license = {});
 
   LibraryBuilder(LibraryBuilder&&) noexcept;
   LibraryBuilder& operator=(LibraryBuilder&&) noexcept;

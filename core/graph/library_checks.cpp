@@ -95,6 +95,24 @@ Fault faultInGraph(const MotionLibrary& library) {
   return {};
 }
 
+Fault faultInRegions(const MotionLibrary& library) {
+  const auto reachesInOneClip = [&](FrameIndex first, std::uint32_t span) {
+    if (first.value >= library.frames.frameCount()) return false;
+    const LibraryClip& clip = library.clipOf(first);
+    return span >= 1 && span < clip.firstFrame + clip.frameCount - first.value;
+  };
+  for (std::size_t r = 0; r < library.regions.size(); ++r) {
+    const AlikeRegion& region = library.regions[r];
+    if (!reachesInOneClip(region.row, region.rowSpan) ||
+        !reachesInOneClip(region.column, region.columnSpan) || region.column <= region.row)
+      return fmt::format("region {} out of range", r);
+    if (!(region.distanceMetres >= 0.0F) || !std::isfinite(region.distanceMetres))
+      return fmt::format("region {} has no sound distance", r);
+    if (r > 0 && !(library.regions[r - 1] < region)) return fmt::format("region {} out of order", r);
+  }
+  return {};
+}
+
 }  // namespace
 
 Fault faultIn(const LibraryParams& params) {
@@ -106,6 +124,8 @@ Fault faultIn(const LibraryParams& params) {
     return fmt::format("{} frames a second, 1 to 240 expected", params.framesPerSecond);
   if (params.neighbourFrames > 100)
     return fmt::format("a neighbourhood of {} frames, 0 to 100 expected", params.neighbourFrames);
+  if (!isBetween(params.largestSpanRatio, 1.0, 2.0))
+    return fmt::format("spans {} times as long, 1 to 2 expected", params.largestSpanRatio);
   return {};
 }
 
@@ -158,6 +178,7 @@ Fault faultIn(const MotionLibrary& library) {
   if (!isBetween(facing.sin * facing.sin + facing.cos * facing.cos, 1.0 - 1e-9, 1.0 + 1e-9))
     return std::string("a facing offset that is no unit vector");
   if (!std::isfinite(library.floorHeightMetres)) return std::string("a floor height that is not finite");
+  if (Fault fault = faultInRegions(library)) return fault;
   return faultInGraph(library);
 }
 

@@ -8,8 +8,8 @@ namespace stridegraph {
 
 inline constexpr std::size_t kProductRows = 4;
 
-/// Columns come in blocks of this many.
-inline constexpr std::size_t kProductColumns = 8;
+/// Columns come in blocks of at most this many.
+inline constexpr std::size_t kProductColumns = 16;
 
 /// Columns to multiply: `terms` rows of floats, `stride` apart; begin..end of each, begin and the row starts
 /// anywhere. Up to kProductColumns - 1 columns after end are read and written, too.

@@ -9,8 +9,9 @@
 
 namespace stridegraph {
 
-/// The version of .sgraph files that this program writes and reads. It changes with the schema.
-inline constexpr std::uint32_t kSgraphVersion = 1;
+/// The version of .sgraph files that this program writes and reads. It changes with the schema,
+/// and whenever the same clips would give other regions: a library to append to must not mix two ways.
+inline constexpr std::uint32_t kSgraphVersion = 2;
 
 /// The library as .sgraph bytes (FlatBuffers): self-contained and the same for the same library. Frames and
 /// joint angles are written as 32 bit floats. Of the library's hash no notice is taken: the bytes' own goes

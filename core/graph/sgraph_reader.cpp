@@ -104,6 +104,14 @@ Fault readGraph(const sgraph::Library& file, MotionLibrary& library) {
   return {};
 }
 
+void readRegions(const sgraph::Library& file, MotionLibrary& library) {
+  library.regions.reserve(file.regions()->size());
+  for (const sgraph::Region* record : *file.regions())
+    library.regions.push_back({FrameIndex(std::size_t{record->row()}),
+                               FrameIndex(std::size_t{record->column()}), record->row_span(),
+                               record->column_span(), record->distance_metres()});
+}
+
 void readRest(const sgraph::Library& file, MotionLibrary& library) {
   library.facingOffset = {file.facing_sin(), file.facing_cos()};
   for (const std::uint32_t joint : *file.contact_joints())
@@ -111,7 +119,7 @@ void readRest(const sgraph::Library& file, MotionLibrary& library) {
   library.contacts.assign(file.contacts()->begin(), file.contacts()->end());
   library.floorHeightMetres = file.floor_height_metres();
   library.params = {file.threshold_metres(), file.transition_frames(), file.frames_per_second(),
-                    file.mirror(), file.neighbour_frames()};
+                    file.mirror(),           file.neighbour_frames(),  file.largest_span_ratio()};
   library.license = text(file.license());
   library.hash = file.hash();
 }
@@ -130,7 +138,8 @@ std::optional<Error> faultInBytes(const std::vector<std::uint8_t>& bytes) {
   const sgraph::Library& file = *sgraph::GetLibrary(bytes.data());
   if (file.version() != kSgraphVersion) {
     return Error{ErrorCode::kAssetVersion,
-                 fmt::format("the motion library is of version {}; this program reads version {}",
+                 fmt::format("the motion library is of version {}; this program reads version {}: "
+                             "build it anew from its clips",
                              file.version(), kSgraphVersion)};
   }
   const auto* table = flatbuffers::GetRoot<flatbuffers::Table>(bytes.data());
@@ -153,6 +162,7 @@ Result<MotionLibrary> readSgraph(std::span<const std::uint8_t> bytes) {
   if (!fault) fault = readClips(file, library);
   if (!fault) fault = readGraph(file, library);
   if (!fault) {
+    readRegions(file, library);
     readRest(file, library);
     fault = faultIn(library);
   }

@@ -74,6 +74,16 @@ std::vector<sgraph::Edge> edgeRecords(const MotionGraph& graph) {
   return edges;
 }
 
+std::vector<sgraph::Region> regionRecords(const std::vector<AlikeRegion>& regions) {
+  std::vector<sgraph::Region> records;
+  records.reserve(regions.size());
+  for (const AlikeRegion& region : regions) {
+    records.emplace_back(region.row.value, region.column.value, region.rowSpan, region.columnSpan,
+                         region.distanceMetres);
+  }
+  return records;
+}
+
 std::vector<std::uint32_t> nodeNumbers(const MotionGraph& graph) {
   std::vector<std::uint32_t> nodes;
   for (const FrameIndex node : graph.nodes) nodes.push_back(node.value);
@@ -94,6 +104,7 @@ void writeLibrary(FlatBufferBuilder& builder, const MotionLibrary& library) {
   const auto clips = builder.CreateVector(writeClips(builder, library));
   const auto nodes = builder.CreateVector(nodeNumbers(library.graph));
   const auto edges = builder.CreateVectorOfStructs(edgeRecords(library.graph));
+  const auto regions = builder.CreateVectorOfStructs(regionRecords(library.regions));
   const auto contactJoints = builder.CreateVector(contactJointNumbers(library));
   const auto contacts = builder.CreateVector(library.contacts);
   const auto license = builder.CreateString(library.license);
@@ -120,6 +131,8 @@ void writeLibrary(FlatBufferBuilder& builder, const MotionLibrary& library) {
   table.add_mirror(library.params.mirror);
   table.add_license(license);
   table.add_neighbour_frames(library.params.neighbourFrames);
+  table.add_largest_span_ratio(library.params.largestSpanRatio);
+  table.add_regions(regions);
   sgraph::FinishLibraryBuffer(builder, table.Finish());
 }
 

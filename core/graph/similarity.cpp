@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/check.h"
+#include "base/wide.h"
 #include "graph/pose_distance.h"
 #include "graph/row_products.h"
 
@@ -60,9 +61,48 @@ std::array<float*, kProductRows> rowsFrom(std::vector<float>& storage, std::size
 /// One product of the frames of a window, down a diagonal of the ring.
 using Diagonal = std::array<const float*, kWindowFrames>;
 
-inline double sumAlong(const Diagonal& diagonal, double start, std::size_t column) {
+/// All that the distances of one row are made of; columns begin..end.
+struct RowParts {
+  Diagonal along;
+  Diagonal across;
+  Diagonal height;
+  const float* motionAlong = nullptr;
+  const float* motionAcross = nullptr;
+  const double* energies = nullptr;
+  double energy = 0.0;
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
+STRIDEGRAPH_INLINE double sumAlong(const Diagonal& diagonal, double start, std::size_t column) {
   for (std::size_t d = 0; d < kWindowFrames; ++d) start += static_cast<double>(diagonal[d][column]);
   return start;
+}
+
+STRIDEGRAPH_INLINE void combineColumns(const RowParts& parts, std::uint32_t* __restrict distances) {
+  constexpr double kLimit = kFarMicrometres;
+  // Copies, so that the compiler need not fear for the pointers when it writes.
+  const Diagonal along = parts.along;
+  const Diagonal across = parts.across;
+  const Diagonal height = parts.height;
+  const float* motionAlong = parts.motionAlong;
+  const float* motionAcross = parts.motionAcross;
+  const double* energies = parts.energies;
+  const double energy = parts.energy;
+  const std::size_t end = parts.end;
+  for (std::size_t c = parts.begin; c < end; ++c) {
+    const double a = sumAlong(along, static_cast<double>(motionAlong[c]), c);
+    const double b = sumAlong(across, static_cast<double>(motionAcross[c]), c);
+    const double h = sumAlong(height, 0.0, c);
+    const double squared = energy + energies[c] - 2.0 * (std::sqrt(a * a + b * b) + h);
+    const double micrometres = std::sqrt(squared > 0.0 ? squared : 0.0) * kMicrometresPerMetre + 0.5;
+    distances[c] =
+        static_cast<std::uint32_t>(static_cast<std::int32_t>(micrometres < kLimit ? micrometres : kLimit));
+  }
+}
+
+STRIDEGRAPH_WIDE void combineWide(const RowParts& parts, std::uint32_t* distances) {
+  combineColumns(parts, distances);
 }
 
 }  // namespace
@@ -126,31 +166,22 @@ std::size_t DistanceRows::advance() {
 
 void DistanceRows::combine(std::size_t row, std::size_t k) {
   const std::size_t stride = columns_->stride();
-  Diagonal along;
-  Diagonal across;
-  Diagonal height;
+  RowParts parts;
   for (std::size_t d = 0; d < kWindowFrames; ++d) {
     const std::size_t shift = (row + d) % kRing * stride + d;
-    along[d] = along_.data() + shift;
-    across[d] = across_.data() + shift;
-    height[d] = height_.data() + shift;
+    parts.along[d] = along_.data() + shift;
+    parts.across[d] = across_.data() + shift;
+    parts.height[d] = height_.data() + shift;
   }
-  const float* motionAlong = motionAlong_.data() + k * stride;
-  const float* motionAcross = motionAcross_.data() + k * stride;
-  const double* energies = columns_->energies();
-  const double energy = rows_->energies()[row];
+  parts.motionAlong = motionAlong_.data() + k * stride;
+  parts.motionAcross = motionAcross_.data() + k * stride;
+  parts.energies = columns_->energies();
+  parts.energy = rows_->energies()[row];
+  parts.begin = firstColumn_;
+  parts.end = columns_->windowCount();
   std::uint32_t* distances = distances_.data() + k * stride;
-  const std::size_t end = columns_->windowCount();
-  for (std::size_t c = firstColumn_; c < end; ++c) {
-    const double a = sumAlong(along, static_cast<double>(motionAlong[c]), c);
-    const double b = sumAlong(across, static_cast<double>(motionAcross[c]), c);
-    const double h = sumAlong(height, 0.0, c);
-    const double squared = energy + energies[c] - 2.0 * (std::sqrt(a * a + b * b) + h);
-    const double micrometres = std::sqrt(squared > 0.0 ? squared : 0.0) * kMicrometresPerMetre + 0.5;
-    const double limit = static_cast<double>(kFarMicrometres);
-    distances[c] =
-        static_cast<std::uint32_t>(static_cast<std::int32_t>(micrometres < limit ? micrometres : limit));
-  }
+  if (hasWideRegisters()) return combineWide(parts, distances);
+  combineColumns(parts, distances);
 }
 
 }  // namespace stridegraph

@@ -17,11 +17,14 @@ struct Links {
   bool leadsIn = false;
 };
 
-std::vector<Links> linksOf(std::size_t clipCount, std::span<const FoundTransition> transitions) {
-  std::vector<Links> links(clipCount);
-  for (const FoundTransition& transition : transitions) {
-    Links& source = links[transition.from.clip];
-    Links& target = links[transition.to.clip];
+std::vector<Links> linksOf(const MotionLibrary& library, std::span<const FrameTransition> transitions) {
+  std::vector<Links> links(library.clips.size());
+  const auto linksAt = [&](FrameIndex frame) -> Links& {
+    return links[static_cast<std::size_t>(&library.clipOf(frame) - library.clips.data())];
+  };
+  for (const FrameTransition& transition : transitions) {
+    Links& source = linksAt(transition.from);
+    Links& target = linksAt(transition.to);
     ++source.transitions;
     source.leadsOut = true;
     if (&target != &source) ++target.transitions;
@@ -74,8 +77,8 @@ std::string reasonForPart(const LibraryClip& clip, const Run& run) {
 
 }  // namespace
 
-std::vector<ClipFate> clipFates(const MotionLibrary& library, std::span<const FoundTransition> transitions) {
-  const std::vector<Links> links = linksOf(library.clips.size(), transitions);
+std::vector<ClipFate> clipFates(const MotionLibrary& library, std::span<const FrameTransition> transitions) {
+  const std::vector<Links> links = linksOf(library, transitions);
   const std::vector<std::optional<Run>> runs = survivingRuns(library);
   std::vector<ClipFate> fates;
   for (std::size_t c = 0; c < library.clips.size(); ++c) {

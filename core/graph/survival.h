@@ -3,12 +3,12 @@
 #include <span>
 #include <vector>
 
+#include "graph/graph_building.h"
 #include "graph/library_builder.h"
-#include "graph/transition_scan.h"
 
 namespace stridegraph {
 
 /// What became of each clip of a library, and why not all of it is in the graph.
-std::vector<ClipFate> clipFates(const MotionLibrary& library, std::span<const FoundTransition> transitions);
+std::vector<ClipFate> clipFates(const MotionLibrary& library, std::span<const FrameTransition> transitions);
 
 }  // namespace stridegraph

@@ -16,11 +16,21 @@ double cellsOf(const ClipFeatures& a, const ClipFeatures& b) {
 
 }  // namespace
 
-TransitionScan::TransitionScan(std::vector<ClipFeatures> clips, const ValleyParams& params)
-    : clips_(std::move(clips)), params_(params) {
+TransitionScan::TransitionScan(std::vector<ClipFeatures> clips, const ValleyParams& params,
+                               KnownRegions known)
+    : clips_(std::move(clips)),
+      params_(params),
+      knownClips_(std::move(known.clips)),
+      found_(std::move(known.regions)) {
+  std::size_t start = 0;
   for (std::size_t a = 0; a < clips_.size(); ++a) {
-    for (std::size_t b = a; b < clips_.size(); ++b) allCells_ += cellsOf(clips_[a], clips_[b]);
+    starts_.push_back(start);
+    start += clips_[a].frameCount();
+    for (std::size_t b = a; b < clips_.size(); ++b) {
+      if (!isKnown(a) || !isKnown(b)) allCells_ += cellsOf(clips_[a], clips_[b]);
+    }
   }
+  if (!clips_.empty() && isKnownPair()) nextPair();
 }
 
 double TransitionScan::progress() const {
@@ -40,16 +50,23 @@ void TransitionScan::beginPair() {
 }
 
 void TransitionScan::endPair() {
-  const std::size_t last = params_.transitionFrames - 1;
+  const auto frame = [&](std::size_t clip, std::size_t window) {
+    return FrameIndex(starts_[clip] + window + kWindowReach);
+  };
   for (const Region& region : valleys_->finish()) {
-    const std::size_t row = region.row + kWindowReach;
-    const std::size_t column = region.column + kWindowReach;
-    found_.push_back({{first_, row}, {second_, column + last}, region.meanDistanceMetres});
-    found_.push_back({{second_, column}, {first_, row + last}, region.meanDistanceMetres});
+    found_.push_back(
+        {frame(first_, region.row), frame(second_, region.column), static_cast<std::uint16_t>(region.rowSpan),
+         static_cast<std::uint16_t>(region.columnSpan), static_cast<float>(region.meanDistanceMetres)});
   }
   rows_.reset();
   valleys_.reset();
-  if (++second_ == clips_.size()) second_ = ++first_;
+  nextPair();
+}
+
+void TransitionScan::nextPair() {
+  do {
+    if (++second_ == clips_.size()) second_ = ++first_;
+  } while (first_ < clips_.size() && isKnownPair());
 }
 
 bool TransitionScan::step() {
@@ -69,10 +86,8 @@ bool TransitionScan::step() {
   return first_ < clips_.size();
 }
 
-std::vector<FoundTransition> TransitionScan::take() {
-  std::sort(found_.begin(), found_.end(), [](const FoundTransition& a, const FoundTransition& b) {
-    return a.from != b.from ? a.from < b.from : a.to < b.to;
-  });
+std::vector<AlikeRegion> TransitionScan::take() {
+  std::sort(found_.begin(), found_.end());
   return std::move(found_);
 }
 

@@ -3,35 +3,27 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <vector>
 
+#include "graph/library.h"
 #include "graph/similarity.h"
 #include "graph/valleys.h"
 
 namespace stridegraph {
 
-/// A frame of one of several clips.
-struct ClipFrame {
-  std::size_t clip = 0;
-  std::size_t frame = 0;
-  auto operator<=>(const ClipFrame&) const = default;
+/// What an earlier scan found, so that it need not be found again.
+struct KnownRegions {
+  std::vector<bool> clips;  ///< For each clip of the scan, whether it took part in that one unchanged;
+  std::vector<AlikeRegion> regions;  ///< all regions of pairs of such clips, by frames of this scan.
 };
 
-/// A way from one clip into another (or the same): a blend that begins on frame `from` and ends on frame
-/// `to`, over l - 1 steps in both clips.
-struct FoundTransition {
-  ClipFrame from;
-  ClipFrame to;
-  double meanDistanceMetres = 0.0;
-};
-
-/// Finds the transitions between all pairs of clips, bit by bit. A region of two clips is used in both
-/// directions. Windows never cross the ends of a clip; clips shorter than l + 4 frames have none.
+/// Finds the regions where clips are alike among all pairs of them, bit by bit. Windows never cross the ends
+/// of a clip; clips shorter than l + 4 frames have none. A pair's regions depend on its two clips alone.
 class TransitionScan {
  public:
-  /// `clips` as made by one featureBasis().
-  TransitionScan(std::vector<ClipFeatures> clips, const ValleyParams& params);
+  /// `clips` as made by one featureBasis(); frames are counted through all of them. Pairs of known clips are
+  /// not compared.
+  TransitionScan(std::vector<ClipFeatures> clips, const ValleyParams& params, KnownRegions known = {});
 
   /// Compares some ten thousand pairs of frames. False when all is done.
   bool step();
@@ -39,23 +31,28 @@ class TransitionScan {
   double progress() const;
   /// Pairs of frames compared so far; each unordered pair counts once.
   std::size_t framePairs() const { return framePairs_; }
-  /// What was found, by (from, to); empties the scan.
-  std::vector<FoundTransition> take();
+  /// What was found or known, in ascending order; empties the scan.
+  std::vector<AlikeRegion> take();
 
  private:
+  bool isKnown(std::size_t clip) const { return clip < knownClips_.size() && knownClips_[clip]; }
+  bool isKnownPair() const { return isKnown(first_) && isKnown(second_); }
   void beginPair();
   void endPair();
+  void nextPair();
 
   std::vector<ClipFeatures> clips_;
   ValleyParams params_;
-  std::size_t first_ = 0;   ///< The pair at hand: rows from the one clip,
-  std::size_t second_ = 0;  ///< columns from the other, second_ >= first_.
+  std::vector<bool> knownClips_;
+  std::vector<std::size_t> starts_;  ///< First frame of each clip.
+  std::size_t first_ = 0;            ///< The pair at hand: rows from the one clip,
+  std::size_t second_ = 0;           ///< columns from the other, second_ >= first_.
   std::optional<DistanceRows> rows_;
   std::optional<ValleyFinder> valleys_;
   std::size_t framePairs_ = 0;
   double doneCells_ = 0.0;
   double allCells_ = 0.0;
-  std::vector<FoundTransition> found_;
+  std::vector<AlikeRegion> found_;
 };
 
 }  // namespace stridegraph

@@ -35,8 +35,10 @@ Pose blendPoses(const Pose& from, const Pose& to, double share) {
 
 /// Going at the moment's speed: walk, jog or something between, at the same phase.
 Pose goingPose(const GaitMoment& moment) {
-  const GaitState walk{moment.phase, std::max(moment.speed, kSlowestWalk), moment.turnRate};
-  const GaitState jog{moment.phase, std::max(moment.speed, kSlowestJog), moment.turnRate};
+  const GaitState walk{moment.phase, std::max(moment.speed, kSlowestWalk), moment.turnRate,
+                       moment.turnAcceleration};
+  const GaitState jog{moment.phase, std::max(moment.speed, kSlowestJog), moment.turnRate,
+                      moment.turnAcceleration};
   if (moment.jogShare <= 0.0) return gaitPose(Gait::kWalk, walk);
   if (moment.jogShare >= 1.0) return gaitPose(Gait::kJog, jog);
   return blendPoses(gaitPose(Gait::kWalk, walk), gaitPose(Gait::kJog, jog), moment.jogShare);

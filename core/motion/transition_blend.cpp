@@ -1,5 +1,7 @@
 #include "motion/transition_blend.h"
 
+#include <algorithm>
+
 #include "base/check.h"
 #include "math/rotation.h"
 
@@ -45,10 +47,25 @@ double eased(BlendEase ease, double share) {
   return share * share * (3.0 - 2.0 * share);
 }
 
-/// Where in `span` step `step` of `steps` falls; whole numbers, so that equal spans hit frames exactly.
-ClipTime timeAt(const ClipSpan& span, std::size_t step, std::size_t steps) {
-  const std::size_t scaled = step * (span.last - span.first);
-  return {span.first + scaled / steps, static_cast<double>(scaled % steps) / static_cast<double>(steps)};
+/// The times at which a clip is read for every step of a blend.
+std::vector<ClipTime> timesIn(const ClipSpan& span, const TransitionBlend& blend) {
+  const std::size_t steps = blend.frames - 1;
+  const std::size_t sourceSpan = blend.source.last - blend.source.first;
+  const std::size_t targetSpan = blend.target.last - blend.target.first;
+  std::vector<ClipTime> times;
+  for (std::size_t step = 0; step <= steps; ++step) {
+    // Spans that need no warp hit frames exactly.
+    if (sourceSpan == steps && targetSpan == steps) {
+      times.push_back({span.first + step, 0.0});
+      continue;
+    }
+    const double place =
+        blendProgress(sourceSpan, targetSpan, steps, step) * static_cast<double>(span.last - span.first);
+    const auto whole = static_cast<std::size_t>(place);
+    const std::size_t frame = std::min(span.first + whole, span.last);
+    times.push_back({frame, frame == span.last ? 0.0 : place - static_cast<double>(whole)});
+  }
+  return times;
 }
 
 FloorTransform placementAt(const Clip& clip, const ClipTime& time) {
@@ -57,11 +74,10 @@ FloorTransform placementAt(const Clip& clip, const ClipTime& time) {
   return interpolate(here, rootPlacement(clip.pose(time.frame + 1)), time.fraction);
 }
 
-std::vector<FloorTransform> placements(const ClipSpan& span, std::size_t steps) {
+std::vector<FloorTransform> placements(const ClipSpan& span, const TransitionBlend& blend) {
   std::vector<FloorTransform> track;
-  track.reserve(steps + 1);
-  for (std::size_t step = 0; step <= steps; ++step)
-    track.push_back(placementAt(*span.clip, timeAt(span, step, steps)));
+  track.reserve(blend.frames);
+  for (const ClipTime& time : timesIn(span, blend)) track.push_back(placementAt(*span.clip, time));
   return track;
 }
 
@@ -71,6 +87,17 @@ void checkSpan(const ClipSpan& span) {
 }
 
 }  // namespace
+
+double blendProgress(std::size_t sourceSpan, std::size_t targetSpan, std::size_t steps, std::size_t step) {
+  // Slopes of a monotone cubic are at most three times the mean slope.
+  constexpr double kSteepest = 3.0;
+  const auto count = static_cast<double>(steps);
+  const double atSource = std::min(kSteepest, count / static_cast<double>(sourceSpan));
+  const double atTarget = std::min(kSteepest, count / static_cast<double>(targetSpan));
+  const double x = static_cast<double>(step) / count;
+  const double left = 1.0 - x;
+  return x * (left * left * atSource + x * (3.0 - 2.0 * x - left * atTarget));
+}
 
 FloorTransform rootPlacement(const PoseView& pose) {
   return {onFloor(pose.rootPosition), separateHeading(pose.rotations[0]).heading};
@@ -82,8 +109,8 @@ std::vector<FloorTransform> blendTrack(const TransitionBlend& blend) {
   STRIDEGRAPH_CHECK(blend.frames >= 2);
   const std::size_t steps = blend.frames - 1;
   const double stepShare = 1.0 / static_cast<double>(steps);
-  const std::vector<FloorTransform> source = placements(blend.source, steps);
-  const std::vector<FloorTransform> target = placements(blend.target, steps);
+  const std::vector<FloorTransform> source = placements(blend.source, blend);
+  const std::vector<FloorTransform> target = placements(blend.target, blend);
   std::vector<FloorTransform> track = {source.front()};
   track.reserve(blend.frames);
   const FloorTransform sourceFromTarget = source.front() * target.front().inverse();
@@ -112,12 +139,14 @@ Clip blendPoses(const TransitionBlend& blend) {
             .rootPositions = {},
             .rotations = {}};
   const std::size_t steps = blend.frames - 1;
+  const std::vector<ClipTime> sourceTimes = timesIn(blend.source, blend);
+  const std::vector<ClipTime> targetTimes = timesIn(blend.target, blend);
   Pose pose;
   pose.rotations.resize(jointCount);
   for (std::size_t step = 0; step <= steps; ++step) {
     const double share = eased(blend.params.ease, static_cast<double>(step) / static_cast<double>(steps));
-    const Sample source{blend.source.clip, timeAt(blend.source, step, steps)};
-    const Sample target{blend.target.clip, timeAt(blend.target, step, steps)};
+    const Sample source{blend.source.clip, sourceTimes[step]};
+    const Sample target{blend.target.clip, targetTimes[step]};
     const Vec2& floor = track[step].translation;
     pose.rootPosition = {floor.x(), source.height() + (target.height() - source.height()) * share, floor.y()};
     pose.rotations[0] = track[step].heading.rotation() * slerp(source.tilt(), target.tilt(), share);

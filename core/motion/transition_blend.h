@@ -27,8 +27,9 @@ struct TransitionBlendParams {
   RootBlend root = RootBlend::kDifferential;
 };
 
-/// A transition to be blended. Spans have two frames at least; those of other than frames - 1 steps are played faster or slower (delta_k of
-/// eq. 5.7) and sampled between their frames. Both clips have the same skeleton.
+/// A transition to be blended. Spans have two frames at least; those of other than frames - 1 steps are played
+/// faster or slower, as blendProgress() says, and sampled between their frames. Both clips have the same
+/// skeleton.
 struct TransitionBlend {
   ClipSpan source;
   ClipSpan target;
@@ -44,6 +45,13 @@ Clip blendPoses(const TransitionBlend& blend);
 /// Only where the root goes: floor point and heading at each frame, in the source's world. Exactly the
 /// placements of blendPoses(), by additions, products and square roots alone: the same bits on every machine.
 std::vector<FloorTransform> blendTrack(const TransitionBlend& blend);
+
+/// How far through its spans (in steps) a blend of `steps` steps is after `step` of them, 0..1: both clips
+/// are at that share of their spans, so that like poses meet (section 3.2.4.2). It begins at the source's own
+/// pace and ends at the target's (a cubic of Hermite, kept monotone as by Fritsch and Carlson 1980), where
+/// the constant delta_k of eq. 5.7 would change pace with a jolt at both ends. step / steps for spans of
+/// `steps`.
+double blendProgress(std::size_t sourceSpan, std::size_t targetSpan, std::size_t steps, std::size_t step);
 
 /// Floor point and heading of a root: the character's c(t) of eq. 5.4.
 FloorTransform rootPlacement(const PoseView& pose);

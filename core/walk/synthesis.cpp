@@ -1,6 +1,7 @@
 #include "walk/synthesis.h"
 
 #include "base/check.h"
+#include "motion/transition_blend.h"
 #include "walk/piece_motion.h"
 
 namespace stridegraph {
@@ -21,9 +22,12 @@ ContactMask contactsAt(const MotionLibrary& library, const MotionPiece& piece, s
   const std::uint32_t from = piece.from.value;
   const std::uint32_t to = piece.to.value;
   if (piece.kind == EdgeKind::kClipPiece) return library.contacts[from + position];
-  const std::uint32_t left = piece.frames - position;
-  return 2 * position < piece.frames ? library.contacts[from + position * piece.sourceSpan / piece.frames]
-                                     : library.contacts[to - left * piece.targetSpan / piece.frames];
+  const double progress = blendProgress(piece.sourceSpan, piece.targetSpan, piece.frames, position);
+  const auto framesInto = [&](std::uint32_t span) {
+    return static_cast<std::uint32_t>(progress * static_cast<double>(span) + 0.5);
+  };
+  return 2 * position < piece.frames ? library.contacts[from + framesInto(piece.sourceSpan)]
+                                     : library.contacts[to - piece.targetSpan + framesInto(piece.targetSpan)];
 }
 
 }  // namespace

@@ -91,6 +91,34 @@ describe('buildLibrary', () => {
     assert.equal(library.info.transitionFrames, 9)
     assert.equal(library.info.frames, 179)
     library.delete()
+    for (const option of [{ neighbours: 101 }, { spanRatio: 2.5 }]) {
+      assert.equal(refusalOf(() => engine.buildLibrary([walkerClip()], option)).code, 'invalid_argument')
+    }
+  })
+
+  it('appends to the same bytes as building at once', () => {
+    const more = { name: 'more', text: walkerBvh({ frames: 60 }) }
+    const atOnce = engine.buildLibrary([walkerClip(), more], { license: 'made for a test' })
+    const first = engine.buildLibrary([walkerClip()], { license: 'made for a test' })
+    const grown = engine.buildLibrary([more], { append: first.toBytes() })
+    assert.deepEqual(grown.toBytes(), atOnce.toBytes())
+    assert.ok(grown.buildReport.framePairs < atOnce.buildReport.framePairs)
+    for (const library of [atOnce, first, grown]) library.delete()
+  })
+
+  it('refuses settings beside a library to append to, and what is no library', () => {
+    const append = defaultLibraryBytes
+    const { message } = refusalOf(() => engine.buildLibrary([walkerClip()], { append, mirror: true }))
+    assert.equal(message, 'build options: found mirror beside append, expected none: the library keeps its own')
+    assert.equal(
+      refusalOf(() => engine.buildLibrary([walkerClip()], { append: new Uint8Array(9) })).code,
+      'asset_damaged',
+    )
+    assert.equal(
+      refusalOf(() => engine.buildLibrary([walkerClip()], { append: 'walk.sgraph' })).code,
+      'invalid_argument',
+    )
+    assert.equal(refusalOf(() => engine.buildLibrary([walkerClip()], { append })).code, 'skeleton_mismatch')
   })
 
   it('leaves no memory behind when clips are refused', () => {

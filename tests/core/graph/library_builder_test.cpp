@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "graph/library_checks.h"
+#include "graph/sgraph_file.h"
 #include "graph/test_library.h"
 
 namespace stridegraph {
@@ -117,7 +118,7 @@ TEST(LibraryBuilder, levelsAFloorThatIsOffAndSaysSo) {
   ASSERT_EQ(built.report.warnings.size(), 1U);
   const std::string warning = describe(built.report.warnings[0]);
   EXPECT_TRUE(warning.starts_with("right: its floor lies 3.")) << warning;
-  EXPECT_TRUE(warning.ends_with(" cm above that of the other clips; it was lowered to theirs")) << warning;
+  EXPECT_TRUE(warning.ends_with(" cm above that of the first clip; it was lowered to that")) << warning;
   EXPECT_NEAR(built.library.frames.rootPositions[160].y(), 0.9, 2e-3);
 }
 
@@ -156,6 +157,116 @@ TEST(LibraryBuilder, keepsMoreTransitionsOfASmallerNeighbourhood) {
   EXPECT_GE(transitionsWithin(6), transitionsWithin(12));
 }
 
+/// Of a library that grows one clip at a time, from the first so many at once.
+BuiltLibrary grown(std::vector<BvhDocument> documents, std::size_t atOnce, const LibraryParams& params = {}) {
+  const auto middle = documents.begin() + static_cast<std::ptrdiff_t>(atOnce);
+  BuiltLibrary built = builtFrom({documents.begin(), middle}, params);
+  for (auto document = middle; document != documents.end(); ++document) {
+    // By way of a file, as a user does it.
+    Result<MotionLibrary> read = readSgraph(writeSgraph(built.library));
+    Result<LibraryBuilder> builder = LibraryBuilder::append(std::move(*read), {*document});
+    while (builder->step()) {
+    }
+    built = {*builder->finish(), builder->report()};
+  }
+  return built;
+}
+
+/// Walks of several paces, one on another floor, one with a jump, one too short.
+std::vector<BvhDocument> unevenWalks() {
+  std::vector<BvhDocument> documents = threeWalks();
+  documents.push_back(
+      documentOf(walkOf({.frames = 90, .speedMetresPerSecond = 1.0, .cyclesPerSecond = 0.85}), "slow"));
+  documents.push_back(documentOf(walkOf({.frames = 70, .phaseCycles = 0.2}), "high"));
+  for (Vec3& root : documents[4].clip.rootPositions) root.y() += 0.04;
+  documents.push_back(documentOf(walkOf({.frames = 90, .turnPerSecond = Angle::degrees(15)}), "jumping"));
+  documents[5].clip.rotationsOf(30)[10] = axisRotation(Axis::kZ, Angle::degrees(81));
+  documents.push_back(documentOf(walkOf({.frames = 9}), "brief"));
+  return documents;
+}
+
+TEST(LibraryBuilder, appendsToTheSameBytesAsBuildingAtOnce) {
+  const BuiltLibrary atOnce = builtFrom(unevenWalks());
+  EXPECT_GT(atOnce.library.regions.size(), 0U);
+  for (const std::size_t first : {std::size_t{1}, std::size_t{3}, std::size_t{6}}) {
+    const BuiltLibrary built = grown(unevenWalks(), first);
+    EXPECT_EQ(writeSgraph(built.library), writeSgraph(atOnce.library)) << first;
+    EXPECT_EQ(built.report.nodesBeforePruning, atOnce.report.nodesBeforePruning);
+    EXPECT_EQ(built.report.clips.size(), atOnce.report.clips.size());
+    // The last clip has 5 windows, the others 562 after one is cut in two.
+    EXPECT_GE(built.report.framePairs, 5U * 400);
+    EXPECT_LT(built.report.framePairs, 5U * 600);
+  }
+}
+
+TEST(LibraryBuilder, comparesOnlyNewFramesWhenItAppends) {
+  std::vector<BvhDocument> documents = unevenWalks();
+  documents.resize(5);
+  const BuiltLibrary atOnce = builtFrom(documents);
+  const BuiltLibrary built = grown(documents, 4);
+  EXPECT_EQ(built.library.hash, atOnce.library.hash);
+  // 66 windows against those of 3 clips of 80 frames and one of 90, and themselves.
+  EXPECT_GE(built.report.framePairs, 66U * (3 * 76 + 86) + 66U * 67 / 2);
+  EXPECT_LT(built.report.framePairs, 66U * (3 * 76 + 86 + 66));
+}
+
+TEST(LibraryBuilder, appendsToMirroredLibrariesAlike) {
+  const LibraryParams params{.thresholdMetres = 0.04, .transitionFrames = 11, .mirror = true};
+  std::vector<BvhDocument> documents = unevenWalks();
+  // With its one arm in the middle the body is symmetric: its mirror needs no motion to be measured by.
+  for (BvhDocument& document : documents) document.skeleton.joints[10].offset = Vec3::Zero();
+  const BuiltLibrary atOnce = builtFrom(documents, params);
+  const BuiltLibrary built = grown(documents, 2, params);
+  EXPECT_EQ(writeSgraph(built.library), writeSgraph(atOnce.library));
+  EXPECT_LT(built.report.framePairs, 10U * 1200);
+}
+
+TEST(LibraryBuilder, appendsAlikeWhereMirrorImagesDependOnTheClips) {
+  const LibraryParams params{.thresholdMetres = 0.04, .mirror = true};
+  const BuiltLibrary atOnce = builtFrom(unevenWalks(), params);
+  const BuiltLibrary built = grown(unevenWalks(), 6, params);
+  EXPECT_EQ(writeSgraph(built.library), writeSgraph(atOnce.library));
+  // Mirror images were new, the others were not.
+  EXPECT_GT(built.report.framePairs, 10U * 1200);
+  EXPECT_LT(built.report.framePairs, atOnce.report.framePairs - 400U * 400 / 2);
+}
+
+TEST(LibraryBuilder, appendKeepsTheLicenceUnlessThereIsAnother) {
+  const auto licenceAfter = [](const std::string& licence) {
+    Result<LibraryBuilder> builder =
+        LibraryBuilder::append(builtFrom(threeWalks()).library,
+                               {documentOf(walkOf({.frames = 50, .phaseCycles = 0.6}), "more")}, licence);
+    while (builder->step()) {
+    }
+    return builder->finish()->license;
+  };
+  EXPECT_EQ(licenceAfter(""), "Made in code.");
+  EXPECT_EQ(licenceAfter("Another."), "Another.");
+}
+
+TEST(LibraryBuilder, refusesToAppendNothingOrAnotherBody) {
+  const MotionLibrary library = builtFrom(threeWalks()).library;
+  EXPECT_EQ(LibraryBuilder::append(library, {}).error().message, "no clips, at least one expected");
+  std::vector<BvhDocument> documents = threeWalks();
+  documents[1].skeleton.joints[2].offset.y() -= 0.02;
+  const Result<LibraryBuilder> builder = LibraryBuilder::append(library, {documents[1]});
+  ASSERT_FALSE(builder);
+  EXPECT_EQ(builder.error().code, ErrorCode::kSkeletonMismatch);
+  EXPECT_TRUE(describe(builder.error()).starts_with("left: its skeleton is not that of the library: "));
+}
+
+TEST(LibraryBuilder, warnsOfAGraphThatHoldsNextToNothing) {
+  std::vector<BvhDocument> documents = {documentOf(walkOf({.frames = 60}), "walk")};
+  for (std::uint64_t k = 0; k < 3; ++k)
+    documents.push_back(documentOf(testing::wanderingClip(walker(), 400, 70 + k), "wandering"));
+  const BuiltLibrary built = builtFrom(std::move(documents));
+  ASSERT_LT(built.report.survivingShare, 0.1);
+  ASSERT_FALSE(built.report.warnings.empty());
+  EXPECT_TRUE(holds(built.report.warnings.back().message, " of 1260 frames are in the graph: "))
+      << built.report.warnings.back().message;
+  EXPECT_TRUE(builtFrom(threeWalks()).report.warnings.empty());
+}
+
 TEST(LibraryBuilder, refusesParamsOutOfRange) {
   EXPECT_EQ(errorOf(threeWalks(), {.thresholdMetres = 0.0}).message,
             "a threshold of 0 m, more than 0 expected");
@@ -165,6 +276,8 @@ TEST(LibraryBuilder, refusesParamsOutOfRange) {
             "241 frames a second, 1 to 240 expected");
   EXPECT_EQ(errorOf(threeWalks(), {.neighbourFrames = 101}).message,
             "a neighbourhood of 101 frames, 0 to 100 expected");
+  EXPECT_EQ(errorOf(threeWalks(), {.largestSpanRatio = 2.5}).message,
+            "spans 2.5 times as long, 1 to 2 expected");
   EXPECT_EQ(errorOf(threeWalks(), {.framesPerSecond = 241.0}).code, ErrorCode::kInvalidArgument);
   EXPECT_EQ(errorOf({}).message, "no clips, at least one expected");
 }

@@ -63,6 +63,10 @@ TEST(Sgraph, givesBackEveryPartOfALibraryExactly) {
   EXPECT_EQ(read->params.transitionFrames, library.params.transitionFrames);
   EXPECT_EQ(read->params.framesPerSecond, library.params.framesPerSecond);
   EXPECT_EQ(read->params.mirror, library.params.mirror);
+  EXPECT_EQ(read->params.neighbourFrames, library.params.neighbourFrames);
+  EXPECT_EQ(read->params.largestSpanRatio, library.params.largestSpanRatio);
+  EXPECT_FALSE(library.regions.empty());
+  EXPECT_EQ(read->regions, library.regions);
   EXPECT_EQ(read->license, library.license);
   EXPECT_EQ(read->hash, library.hash);
 }
@@ -144,6 +148,16 @@ TEST(Sgraph, refusesLibrariesThatAreNotSound) {
   library = sample();
   library.params.transitionFrames = 0;
   EXPECT_EQ(refusalOf(library), start + "transitions of 0 frames, 2 to 120 expected");
+  library = sample();
+  library.regions.back().columnSpan = 300;
+  EXPECT_EQ(refusalOf(library),
+            start + "region " + std::to_string(library.regions.size() - 1) + " out of range");
+  library = sample();
+  std::swap(library.regions[0], library.regions[1]);
+  EXPECT_EQ(refusalOf(library), start + "region 1 out of order");
+  library = sample();
+  library.regions[0].distanceMetres = -1.0F;
+  EXPECT_EQ(refusalOf(library), start + "region 0 has no sound distance");
   library = sample();
   library.graph = {};
   EXPECT_EQ(refusalOf(library), start + "an empty graph");

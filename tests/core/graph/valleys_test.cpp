@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
+#include <algorithm>
+#include <cmath>
+#include <tuple>
 
 #include "math/random.h"
 
@@ -45,7 +47,9 @@ std::vector<Region> regionsByDefinition(const ValleyParams& params, const Matrix
           good = sumAt(i, j) > sumAt(r, c) || (sumAt(i, j) == sumAt(r, c) && !earlier);
         }
       }
-      if (good) regions.push_back({r, c, static_cast<double>(sumAt(r, c)) / static_cast<double>(l) / 1e6});
+      if (good)
+        regions.push_back(
+            {r, c, l - 1, l - 1, static_cast<double>(sumAt(r, c)) / static_cast<double>(l) / 1e6});
     }
   }
   return regions;
@@ -97,6 +101,115 @@ TEST(ValleyFinder, agreesWithTheDefinitionOnRandomMatrices) {
       EXPECT_NEAR(found[k].meanDistanceMetres, expected[k].meanDistanceMetres, 1e-12);
     }
   }
+}
+
+/// A line of either kind, under the threshold from end to end, straight from the definition.
+struct Line {
+  WarpedLine shape;
+  std::size_t row = 0;
+  std::size_t column = 0;
+  std::uint64_t sum = 0;
+
+  std::uint64_t cells() const { return shape.cells.size(); }
+  bool isDiagonal() const { return shape.rowSpan == shape.columnSpan; }
+  std::size_t middleRow2() const { return 2 * row + shape.rowSpan; }
+  std::size_t middleColumn2() const { return 2 * column + shape.columnSpan; }
+  bool isBetterThan(const Line& other) const {
+    const std::uint64_t own = sum * other.cells() * (isDiagonal() ? 5 : 6);
+    const std::uint64_t others = other.sum * cells() * (other.isDiagonal() ? 5 : 6);
+    if (isDiagonal() != other.isDiagonal()) return isDiagonal() ? own <= others : own < others;
+    if (own != others) return own < others;
+    const auto key = [](const Line& l) {
+      return std::tuple(l.shape.lean(), l.middleRow2(), l.middleColumn2(), l.shape.rowSpan);
+    };
+    return key(*this) < key(other);
+  }
+};
+
+std::vector<Line> linesUnderThreshold(const ValleyParams& params, const Matrix& matrix) {
+  const std::size_t steps = params.transitionFrames - 1;
+  std::vector<WarpedLine> shapes = warpedLines(steps, params.largestSpanRatio);
+  WarpedLine& diagonal = shapes.emplace_back(WarpedLine{steps, steps, {}});
+  for (std::size_t k = 0; k <= steps; ++k) diagonal.cells.push_back({k, k});
+  std::vector<Line> lines;
+  for (const WarpedLine& shape : shapes) {
+    for (std::size_t r = 0; r + shape.rowSpan < matrix.size(); ++r) {
+      for (std::size_t c = 0; c + shape.columnSpan < matrix[0].size(); ++c) {
+        Line line{shape, r, c, 0};
+        bool isUnder = true;
+        for (const CellBack& cell : shape.cells) {
+          const std::uint32_t here =
+              matrix[r + shape.rowSpan - cell.rows][c + shape.columnSpan - cell.columns];
+          isUnder = isUnder && here <= params.thresholdMetres * 1e6;
+          line.sum += here;
+        }
+        if (isUnder) lines.push_back(line);
+      }
+    }
+  }
+  return lines;
+}
+
+TEST(ValleyFinder, agreesWithTheDefinitionOnLeaningValleys) {
+  Random random(13);
+  std::size_t leaning = 0;
+  for (int i = 0; i < 30; ++i) {
+    const std::size_t rows = 30 + random.below(30);
+    Matrix matrix = filled(rows, 60, 0);
+    const double slope = 0.6 + 0.1 * static_cast<double>(random.below(10));
+    for (std::size_t r = 0; r < rows; ++r) {
+      for (std::size_t c = 0; c < 60; ++c) {
+        const double off = static_cast<double>(c) - 10.0 - slope * static_cast<double>(r);
+        matrix[r][c] = static_cast<std::uint32_t>(std::abs(off) * 12'000.0) +
+                       static_cast<std::uint32_t>(random.below(5)) * 3'000;
+      }
+    }
+    const ValleyParams params{
+        .transitionFrames = 8 + random.below(6), .neighbourFrames = random.below(7), .largestSpanRatio = 2.0};
+    std::vector<std::tuple<std::size_t, std::size_t, std::size_t>> expected;
+    const std::vector<Line> lines = linesUnderThreshold(params, matrix);
+    for (const Line& line : lines) {
+      const auto apart = [](std::size_t a, std::size_t b) { return a > b ? a - b : b - a; };
+      const bool isBeaten = std::any_of(lines.begin(), lines.end(), [&](const Line& other) {
+        return apart(line.middleRow2(), other.middleRow2()) <= 2 * params.neighbourFrames &&
+               apart(line.middleColumn2(), other.middleColumn2()) <= 2 * params.neighbourFrames &&
+               other.isBetterThan(line);
+      });
+      if (!isBeaten && !line.isDiagonal()) expected.emplace_back(line.row, line.column, line.shape.rowSpan);
+    }
+    std::sort(expected.begin(), expected.end());
+    std::vector<std::tuple<std::size_t, std::size_t, std::size_t>> found;
+    for (const Region& region : regionsOf(params, matrix)) {
+      if (region.rowSpan != region.columnSpan) found.emplace_back(region.row, region.column, region.rowSpan);
+    }
+    ASSERT_EQ(found, expected);
+    leaning += found.size();
+  }
+  EXPECT_GT(leaning, 30U);
+}
+
+TEST(ValleyFinder, leansOnlyWhereNoDiagonalIsNearlyAsGood) {
+  // A valley of slope 14 : 10, steep enough that diagonals leave it.
+  Matrix matrix = filled(40, 40, 90'000);
+  for (std::size_t k = 0; k <= 14; ++k) matrix[10 + (2 * 10 * k + 14) / 28][12 + k] = 20'000;
+  ASSERT_EQ(regionsOf({.largestSpanRatio = 1.0}, matrix).size(), 0U);
+  std::vector<Region> regions = regionsOf({}, matrix);
+  ASSERT_EQ(regions.size(), 1U);
+  EXPECT_EQ(regions[0].row, 10U);
+  EXPECT_EQ(regions[0].column, 12U);
+  EXPECT_EQ(regions[0].rowSpan, 10U);
+  EXPECT_EQ(regions[0].columnSpan, 14U);
+  EXPECT_NEAR(regions[0].meanDistanceMetres, 0.02, 1e-12);
+  for (std::size_t k = 0; k < 13; ++k) matrix[9 + k][13 + k] = 23'000;
+  regions = regionsOf({}, matrix);
+  ASSERT_EQ(regions.size(), 1U);
+  EXPECT_EQ(regions[0].rowSpan, 12U);
+  for (std::size_t k = 0; k < 13; ++k) {
+    if (matrix[9 + k][13 + k] == 23'000) matrix[9 + k][13 + k] = 40'000;
+  }
+  regions = regionsOf({}, matrix);
+  ASSERT_EQ(regions.size(), 1U);
+  EXPECT_EQ(regions[0].rowSpan, 10U);
 }
 
 TEST(ValleyFinder, ofOneClipLeavesOutWhatLiesNearTheDiagonal) {
