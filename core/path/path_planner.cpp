@@ -69,6 +69,10 @@ PathResult planPath(const FloorPlan& plan, const Vec2& start, const Vec2& goal, 
   Random random(seed);
   SampledPath sampled = planner == PlannerKind::kPrm ? planByRoadmap(plan, start, goal, random, params)
                                                      : planByTrees(plan, start, goal, random, params);
+  // A roadmap that misses a narrow way is rescued by trees, which grow into it; the exact path takes seconds
+  // where there are thousands of rectangles.
+  if (sampled.path.empty() && planner == PlannerKind::kPrm)
+    sampled.path = planByTrees(plan, start, goal, random, params).path;
   result.roadmapEdges = std::move(sampled.edges);
   if (!sampled.path.empty()) {
     result.path = refined(plan, sampled.path, params.shortcutRounds, random);

@@ -40,7 +40,7 @@ struct PathParams {
   /// floor 10 leave no gaps worth another node).
   std::size_t neighbours = 10;
   /// How often the roadmap grows when it misses a way that is known to exist, 0..20.
-  int growths = 5;
+  int growths = 12;
   /// Longest step of the trees, metres, 0.05..100; 0 chooses 1 m, a thirtieth of the room where that is more
   /// (Kuffner and LaValle 2000 leave it to the problem).
   double stepMetres = 0.0;
@@ -52,8 +52,8 @@ struct PathParams {
 };
 
 /// Plans a path for the disc. Blocked ends are said first, then whether there is a way at all is decided
-/// exactly; only then the planner samples, and should it miss the way, the exact shortest path stands in.
-/// Same arguments, same answer.
+/// exactly; only then the planner samples. Should a roadmap miss the way, trees are grown, and should they
+/// miss it, the exact shortest path stands in. Same arguments, same answer.
 PathResult planPath(const FloorPlan& plan, const Vec2& start, const Vec2& goal, PlannerKind planner,
                     std::uint64_t seed);
 PathResult planPath(const FloorPlan& plan, const Vec2& start, const Vec2& goal, PlannerKind planner,

@@ -31,13 +31,14 @@ std::size_t nodeCount(const FloorPlan& plan, std::size_t asked) {
   return static_cast<std::size_t>(std::clamp(count, 500.0, 100'000.0));
 }
 
-/// Adds nodes up to a count: anywhere, or by turns near one of the `wanting` nodes, where the roadmap needs
-/// them (the expansion step of Kavraki et al. 1996).
+/// Adds nodes up to a count: anywhere, or near the `wanting` nodes, where the roadmap needs them (the
+/// expansion step of Kavraki et al. 1996): by turns, or only there where they are few.
 void addNodes(const FloorPlan& plan, std::size_t count, const std::vector<std::uint32_t>& wanting,
               PointGrid& nodes, Random& random) {
   constexpr double kNearMetres = 3.0;
+  const bool few = 10 * wanting.size() < nodes.points().size();
   while (nodes.points().size() < count) {
-    const bool nearby = !wanting.empty() && nodes.points().size() % 2 == 0;
+    const bool nearby = !wanting.empty() && (few || nodes.points().size() % 2 == 0);
     std::optional<Vec2> node;
     if (nearby) {
       const Vec2 around = nodes.points()[wanting[random.below(wanting.size())]];
@@ -67,7 +68,7 @@ class LazyRoadmap {
 
   /// Weighted A*; the points from start to goal, empty when they are not joined.
   std::vector<Vec2> shortest() {
-    expandAll(kStart, kGoal);
+    expandAll(kStart, kGoal, count());
     if (parents_[kGoal] == kNone) return {};
     std::vector<Vec2> path;
     for (std::uint32_t node = kGoal; node != kNone; node = parents_[node]) path.push_back(at(node));
@@ -75,10 +76,13 @@ class LazyRoadmap {
     return path;
   }
 
-  /// All nodes joined to one end, in the order in which they are met.
-  std::vector<std::uint32_t> joinedTo(std::uint32_t end) {
+  /// After shortest() found none: the nodes joined to the start.
+  const std::vector<std::uint32_t>& met() const { return met_; }
+
+  /// Nodes joined to one end, in the order in which they are met; not many more than `most`.
+  std::vector<std::uint32_t> joinedTo(std::uint32_t end, std::size_t most) {
     std::fill(metres_.begin(), metres_.end(), kFar);
-    expandAll(end, kNone);
+    expandAll(end, kNone, most);
     return std::move(met_);
   }
 
@@ -122,14 +126,14 @@ class LazyRoadmap {
     return near;
   }
 
-  /// From one node to another, or to all that are joined to it.
-  void expandAll(std::uint32_t from, std::uint32_t to) {
+  /// From one node to another, or to the nearest `most` that are joined to it.
+  void expandAll(std::uint32_t from, std::uint32_t to, std::size_t most) {
     const auto toGo = [&](std::uint32_t node) { return to == kNone ? 0.0 : (at(node) - at(to)).norm(); };
     std::vector<bool> done(count(), false);
     std::vector<std::pair<double, std::uint32_t>> heap = {{toGo(from), from}};
     metres_[from] = 0.0;
     met_.clear();
-    while (!heap.empty()) {
+    while (!heap.empty() && met_.size() < most) {
       std::pop_heap(heap.begin(), heap.end(), std::greater<>());
       const std::uint32_t node = heap.back().second;
       heap.pop_back();
@@ -159,34 +163,78 @@ class LazyRoadmap {
   std::vector<NodePair> seen_;
 };
 
+/// A roadmap that grows until it holds the way.
+class GrowingRoadmap {
+ public:
+  GrowingRoadmap(const FloorPlan& plan, const Vec2& start, const Vec2& goal, Random& random,
+                 const PathParams& params)
+      : plan_(plan),
+        random_(random),
+        params_(params),
+        area_(plan.widthMetres() * plan.depthMetres()),
+        count_(nodeCount(plan, params.roadmapNodes)),
+        nodes_({plan.widthMetres(), plan.depthMetres()},
+               std::sqrt(2.0 * area_ / static_cast<double>(count_))) {
+    nodes_.add(start);
+    nodes_.add(goal);
+  }
+
+  SampledPath run() {
+    SampledPath result;
+    for (int round = 0; round <= std::clamp(params_.growths, 0, 20); ++round) {
+      addNodes(plan_, count_ + 2, pocket_, nodes_, random_);
+      if (round == 0 || isOutOfPocket()) {
+        LazyRoadmap roadmap(plan_, nodes_, reachMetres());
+        result.path = roadmap.shortest();
+        result.edges = roadmap.edges();
+        if (!result.path.empty()) break;
+        findPocket(roadmap.met());
+      }
+      count_ += std::min(count_, 2 * (kNewNodesPerWantingNode * pocket_.size() + kLeastNewNodes));
+    }
+    return result;
+  }
+
+ private:
+  /// So many nodes lie on average in a circle of that radius.
+  double reachMetres() const {
+    const auto neighbours = static_cast<double>(std::clamp<std::size_t>(params_.neighbours, 1, 100));
+    return std::sqrt(neighbours * area_ / (std::numbers::pi * static_cast<double>(count_)));
+  }
+
+  /// The smaller of the parts that hold start and goal, when neither holds both.
+  void findPocket(std::vector<std::uint32_t> aroundStart) {
+    pocket_ = LazyRoadmap(plan_, nodes_, reachMetres()).joinedTo(kGoal, aroundStart.size());
+    pocketEnd_ = kGoal;
+    if (pocket_.size() < aroundStart.size()) return;
+    pocket_ = std::move(aroundStart);
+    pocketEnd_ = kStart;
+  }
+
+  /// Whether the part that was small now reaches the other end or is several times as large: only then a
+  /// search of all is worth its while.
+  bool isOutOfPocket() {
+    const std::size_t many = kLeastNewNodes + kNewNodesPerWantingNode * pocket_.size();
+    pocket_ = LazyRoadmap(plan_, nodes_, reachMetres()).joinedTo(pocketEnd_, many);
+    const std::uint32_t other = pocketEnd_ == kStart ? kGoal : kStart;
+    return pocket_.size() == many || std::find(pocket_.begin(), pocket_.end(), other) != pocket_.end();
+  }
+
+  const FloorPlan& plan_;
+  Random& random_;
+  const PathParams& params_;
+  double area_;
+  std::size_t count_;
+  PointGrid nodes_;
+  std::vector<std::uint32_t> pocket_;  ///< Nodes around an end that they do not lead away from.
+  std::uint32_t pocketEnd_ = kStart;
+};
+
 }  // namespace
 
 SampledPath planByRoadmap(const FloorPlan& plan, const Vec2& start, const Vec2& goal, Random& random,
                           const PathParams& params) {
-  std::size_t count = nodeCount(plan, params.roadmapNodes);
-  const Vec2 roomSize(plan.widthMetres(), plan.depthMetres());
-  const double area = plan.widthMetres() * plan.depthMetres();
-  PointGrid nodes(roomSize, std::sqrt(2.0 * area / static_cast<double>(count)));
-  nodes.add(start);
-  nodes.add(goal);
-  const std::size_t neighbours = std::clamp<std::size_t>(params.neighbours, 1, 100);
-  SampledPath result;
-  std::vector<std::uint32_t> wanting;
-  for (int round = 0; round <= std::clamp(params.growths, 0, 20); ++round) {
-    addNodes(plan, count + 2, wanting, nodes, random);
-    // So many nodes lie on average in a circle of that radius.
-    const double reach =
-        std::sqrt(static_cast<double>(neighbours) * area / (std::numbers::pi * static_cast<double>(count)));
-    LazyRoadmap roadmap(plan, nodes, reach);
-    result.path = roadmap.shortest();
-    result.edges = roadmap.edges();
-    if (!result.path.empty()) break;
-    wanting = roadmap.joinedTo(kStart);
-    std::vector<std::uint32_t> aroundGoal = roadmap.joinedTo(kGoal);
-    if (aroundGoal.size() < wanting.size()) wanting = std::move(aroundGoal);
-    count += std::min(count, 2 * (kNewNodesPerWantingNode * wanting.size() + kLeastNewNodes));
-  }
-  return result;
+  return GrowingRoadmap(plan, start, goal, random, params).run();
 }
 
 }  // namespace stridegraph

@@ -102,8 +102,8 @@ void ArrivalTable::indexByNode(const std::vector<std::uint32_t>& nodeOf, std::si
 
 std::vector<std::uint32_t> ArrivalTable::near(std::uint32_t node, const Vec2& point,
                                               double radiusMetres) const {
-  const auto first = byNode_.begin() + firstOfNode_[node];
-  const auto last = byNode_.begin() + firstOfNode_[node + 1];
+  const auto first = byNode_.begin() + static_cast<std::ptrdiff_t>(firstOfNode_[node]);
+  const auto last = byNode_.begin() + static_cast<std::ptrdiff_t>(firstOfNode_[node + 1]);
   auto at = std::lower_bound(first, last, point.x() - radiusMetres,
                              [&](std::uint32_t a, double x) { return arrivals_[a].end.translation.x() < x; });
   std::vector<std::uint32_t> found;
