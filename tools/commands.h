@@ -17,5 +17,6 @@ void addBuildCommand(CLI::App& program, int& exitCode);
 void addInfoCommand(CLI::App& program, int& exitCode);
 void addPlanCommand(CLI::App& program, int& exitCode);
 void addGaitCommand(CLI::App& program, int& exitCode);
+void addFiguresCommand(CLI::App& program, int& exitCode);
 
 }  // namespace stridegraph::tools

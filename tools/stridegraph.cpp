@@ -14,6 +14,7 @@ int main(int argc, char** argv) {
   addInfoCommand(program, exitCode);
   addPlanCommand(program, exitCode);
   addGaitCommand(program, exitCode);
+  addFiguresCommand(program, exitCode);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -97,9 +97,11 @@ struct PlanReport {
 /// A planned walk with all that was on the way to it, for showing.
 struct Plan {
   PlanReport report;
-  Clip walk;                                   ///< Empty unless arrived.
-  std::vector<EdgeKind> frameKinds;            ///< For each frame of the walk: captured or blended.
-  std::vector<ContactMask> contacts;           ///< For each frame of the walk, as in the library.
+  Clip walk;                          ///< Empty unless arrived.
+  std::vector<EdgeKind> frameKinds;   ///< For each frame of the walk: captured or blended.
+  std::vector<ContactMask> contacts;  ///< For each frame of the walk, as in the library.
+  /// Placements of the walk's frames before its end was bent to the goal; empty where it was not bent.
+  std::vector<FloorTransform> unbentWay;
   std::vector<std::pair<Vec2, Vec2>> roadmap;  ///< Edges of the roadmap or of both trees.
   std::vector<Vec2> path;                      ///< From start to goal; empty when there is none.
   std::vector<Vec2> subgoals;

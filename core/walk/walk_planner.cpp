@@ -180,6 +180,7 @@ class Planning {
       if (const std::optional<BentWay> bent = bendToGoal(way, scene_.goal, floor)) {
         moveRoots(way, bent->placements, made.clip);
         report.arrivalWarp = bent->warp;
+        if (bent->warp.metres > 0.0) plan_.unbentWay = way;
       }
     }
     if (options_.footCleanup) cleanFeet(made);

@@ -71,6 +71,11 @@ stridegraph_headers(tinygltf::tinygltf HEADER tiny_gltf.h PACKAGE libtinygltf-de
   URL https://github.com/syoyo/tinygltf/archive/v2.8.23.tar.gz
   SHA256 e6dbbb0952cdefa1d9c87a99b686d1e67755fd9b0a5872b4008d042159e77de5)
 if(NOT EMSCRIPTEN)
+  # The archive of tinygltf brings its own copy.
+  stridegraph_headers(stb::image_write HEADER stb_image_write.h SUFFIX stb PACKAGE libstb-dev
+    HOME https://github.com/nothings/stb
+    URL https://github.com/syoyo/tinygltf/archive/v2.8.23.tar.gz
+    SHA256 e6dbbb0952cdefa1d9c87a99b686d1e67755fd9b0a5872b4008d042159e77de5)
   stridegraph_headers(CLI11::CLI11 HEADER CLI/CLI.hpp PACKAGE libcli11-dev
     HOME https://github.com/CLIUtils/CLI11
     URL https://github.com/CLIUtils/CLI11/archive/v2.1.2.tar.gz

@@ -5,7 +5,7 @@
 # What is built with, what the page is built with, and what tests use.
 nativePackages=(
   g++ cmake ninja-build ccache libeigen3-dev libfmt-dev libexpected-dev nlohmann-json3-dev libfast-float-dev
-  libflatbuffers-dev flatbuffers-compiler libtinygltf-dev libcli11-dev libgtest-dev)
+  libflatbuffers-dev flatbuffers-compiler libtinygltf-dev libstb-dev libcli11-dev libgtest-dev)
 webPackages=(emscripten fonts-inter xz-utils)
 testPackages=(chromium clang-format shellcheck python3-numpy)
 tidyPackages=(clang-tidy)
@@ -86,6 +86,11 @@ installNodeModules() {
   note "installing with npm ci: what package-lock.json lists"
   npm ci --no-audit --no-fund --loglevel=error
   touch node_modules/.package-lock.json
+}
+
+# What the programs need, without the page.
+setupPrograms() {
+  installPackages "${nativePackages[@]}"
 }
 
 setupBuild() {

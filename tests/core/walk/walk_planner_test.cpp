@@ -170,6 +170,25 @@ TEST(GuidedSearch, endsOnTheGoalAndFacesAsAsked) {
   }
 }
 
+TEST(GuidedSearch, keepsTheWayBeforeItsEndWasBent) {
+  std::size_t bent = 0;
+  for (const double degrees : {90.0, 60.0, 120.0, 0.0}) {
+    Scene scene = openRoom();
+    scene.goal.heading = Angle::degrees(degrees);
+    const Plan plan = planOf(scene);
+    ASSERT_EQ(plan.report.status, PlanStatus::kArrived) << plan.report.explanation;
+    EXPECT_EQ(plan.unbentWay.empty(), plan.report.arrivalWarp.metres == 0.0);
+    if (plan.unbentWay.empty()) continue;
+    ++bent;
+    ASSERT_EQ(plan.unbentWay.size(), plan.walk.frameCount());
+    // The beginning is the walk's own; the end is within the search's tolerance, and was moved.
+    EXPECT_LT((plan.unbentWay.front().translation - onFloor(plan.walk.rootPositions.front())).norm(), 1e-9);
+    EXPECT_LE((plan.unbentWay.back().translation - scene.goal.position).norm(), 0.1);
+    EXPECT_NE(plan.unbentWay.back().translation, onFloor(plan.walk.rootPositions.back()));
+  }
+  EXPECT_GT(bent, 0U);
+}
+
 TEST(GuidedSearch, comesToAStandWhereTheLibraryCan) {
   const WalkPlanner planner(std::make_shared<const MotionLibrary>(testing::threeArcsAndAStop()));
   const Result<Plan> standing = planner.plan(roomWithGap());
