@@ -61,8 +61,8 @@ void refuseSettingsBesideAppend(OptionReader& reader) {
   if (!reader.isGiven("append")) return;
   for (const char* name : {"threshold", "transitionFrames", "fps", "mirror", "neighbours", "spanRatio"}) {
     if (reader.isGiven(name)) {
-      reader.refuse(
-          fmt::format("build options: found {} beside append, expected none: the library keeps its own", name));
+      reader.refuse(fmt::format(
+          "build options: found {} beside append, expected none: the library keeps its own", name));
     }
   }
 }

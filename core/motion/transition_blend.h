@@ -27,9 +27,9 @@ struct TransitionBlendParams {
   RootBlend root = RootBlend::kDifferential;
 };
 
-/// A transition to be blended. Spans have two frames at least; those of other than frames - 1 steps are played
-/// faster or slower, as blendProgress() says, and sampled between their frames. Both clips have the same
-/// skeleton.
+/// A transition to be blended. Spans have two frames at least; those of other than frames - 1 steps are
+/// played faster or slower, as blendProgress() says, and sampled between their frames. Both clips have the
+/// same skeleton.
 struct TransitionBlend {
   ClipSpan source;
   ClipSpan target;

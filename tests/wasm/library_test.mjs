@@ -109,7 +109,10 @@ describe('buildLibrary', () => {
   it('refuses settings beside a library to append to, and what is no library', () => {
     const append = defaultLibraryBytes
     const { message } = refusalOf(() => engine.buildLibrary([walkerClip()], { append, mirror: true }))
-    assert.equal(message, 'build options: found mirror beside append, expected none: the library keeps its own')
+    assert.equal(
+      message,
+      'build options: found mirror beside append, expected none: the library keeps its own',
+    )
     assert.equal(
       refusalOf(() => engine.buildLibrary([walkerClip()], { append: new Uint8Array(9) })).code,
       'asset_damaged',
