@@ -16,13 +16,13 @@ constexpr double kCrouch = 0.014;     ///< Lower than that mean, so that knees d
 constexpr double kFlightWeight = 40.0;  ///< Of an acceleration error in flight against one in stance.
 constexpr double kChangeWeight = 0.12;  ///< Of a change of height, in units of an acceleration per frame.
 
-/// Whether no foot is down while jogging.
+/// Whether no foot is down while jogging. In the last frame of a stance the toes have left the floor.
 std::vector<bool> flights(const GaitTrack& track) {
   std::vector<bool> flying;
   for (const GaitMoment& moment : track.moments) flying.push_back(moment.jogShare > 0.5);
   for (const Side side : {Side::kLeft, Side::kRight})
     for (const Stance& stance : stancesOf(track, side))
-      for (std::size_t f = stance.first; f <= stance.last; ++f) flying[f] = false;
+      for (std::size_t f = stance.first; f < stance.last; ++f) flying[f] = false;
   return flying;
 }
 

@@ -113,7 +113,7 @@ void addTurns(Collector& clips) {
   clips.addBothHands(turn("walk_tight_90", 90, tight, Carrier::kOuter));
   clips.addBothHands(turn("walk_tight_90_other_foot", 90, {1.0, 0.75, 1.3}, Carrier::kInner));
   clips.addBothHands(turn("walk_tight_135", 135, tight, Carrier::kOuter));
-  clips.addBothHands(turn("walk_tight_180", 180, tight, Carrier::kInner));
+  clips.addBothHands(turn("walk_tight_180", 180, {1.0, 0.75, 1.6}, Carrier::kInner));
   clips.addBothHands(turn("walk_sharp_90", 90, {1.0, 0.65, 2.2}, Carrier::kOuter));
   const Turning wide{1.3, 1.25, 1.1};
   clips.addBothHands(turn("walk_wide_45", 45, wide, Carrier::kOuter));
