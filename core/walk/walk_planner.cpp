@@ -2,23 +2,14 @@
 
 #include <utility>
 
-#include "motion/transition_blend.h"
 #include "path/polyline.h"
 #include "scene/scene_json.h"
 #include "walk/plan.h"
-#include "walk/standing.h"
+#include "walk/plan_measures.h"
 #include "walk/synthesis.h"
-#include "walk/walk_measures.h"
 
 namespace stridegraph {
 namespace {
-
-/// A walk stands where its first or last so many steps show no more than swaying.
-constexpr std::size_t kStillFrames = 4;
-
-/// Nearer than this to the goal and its heading a walk is said to have arrived there.
-constexpr double kArrivedMetres = 0.02;
-constexpr double kArrivedDegrees = 3.0;
 
 /// How far the search may leave the walk turned from the heading asked for at the goal.
 constexpr Angle kGoalTurn = Angle::degrees(10.0);
@@ -184,14 +175,7 @@ class Planning {
       }
     }
     if (options_.footCleanup) cleanFeet(made);
-    report.frames = made.clip.frameCount();
-    report.durationSeconds = static_cast<double>(report.frames - 1) / made.clip.framesPerSecond;
-    report.motionLengthMetres = rootPathLength(made.clip);
-    report.clearanceMetres = smallestClearance(floor, made.clip);
-    measureMotion(made.clip);
-    measureEnds(made.clip);
-    report.explanation = caveats();
-    noteEdges(motion);
+    measurePlan({library_, graph_, prepared_.sources, floor, scene_, options_, motion, made.clip}, report);
     plan_.walk = std::move(made.clip);
     plan_.frameKinds = std::move(made.frameKinds);
     plan_.contacts = std::move(made.contacts);
@@ -205,76 +189,6 @@ class Planning {
     report.feetCorrectedMeanMetres = done.meanCorrectionMetres;
     report.feetCorrectedWorstMetres = done.worstCorrectionMetres;
     report.feetLeftAlone = std::move(done.feetLeftAlone);
-  }
-
-  void measureMotion(const Clip& walk) {
-    PlanReport& report = plan_.report;
-    const FootPaths feet = footPaths(library_.skeleton, wholeOf(walk), library_.contactJoints);
-    report.footSkateCmPerSecond = footSkate(feet, walk.framesPerSecond);
-    report.footSkateSourceCmPerSecond = prepared_.sources.footSkateCmPerSecond;
-    report.penetrationMetres = footPenetration(feet, prepared_.sources.footFloorsMetres);
-    report.jointSpeed = named(worstSpeedRatio(prepared_.sources.limits, walk));
-    report.jointAcceleration = named(worstAccelerationRatio(prepared_.sources.limits, walk));
-  }
-
-  JointRatio named(const WorstRatio& worst) const {
-    return {worst.ratio, worst.frame, library_.skeleton.joints[worst.joint.value].name};
-  }
-
-  void measureEnds(const Clip& walk) {
-    PlanReport& report = plan_.report;
-    const FloorTransform last = rootPlacement(walk.pose(walk.frameCount() - 1));
-    report.arrivalErrorMetres = (last.translation - scene_.goal.position).norm();
-    if (scene_.goal.heading) {
-      const Heading facing = last.heading - library_.facingOffset;
-      report.arrivalHeadingError =
-          Angle::radians(std::abs((facing - Heading::fromAngle(*scene_.goal.heading)).angle().radians()));
-    }
-    const std::size_t end = walk.frameCount() - 1;
-    const std::size_t few = std::min(end, kStillFrames);
-    report.startsStanding = few > 0 && isStill(walk, 0, few);
-    report.endsStanding = few > 0 && isStill(walk, end - few, end);
-  }
-
-  /// What a walk that arrives leaves to be wished for, in sentences.
-  std::string caveats() const {
-    const PlanReport& report = plan_.report;
-    std::vector<std::string> sentences;
-    if (report.clearanceMetres < -FloorPlan::kTouchToleranceMetres) {
-      sentences.push_back(fmt::format(
-          "the walk reaches {:.2f} m into an obstacle or a wall: the {} search does not look at them",
-          -report.clearanceMetres, searchName(report.search)));
-    }
-    if (!scene_.moving.empty()) sentences.emplace_back("moving obstacles are not looked at yet");
-    if (report.arrivalErrorMetres > kArrivedMetres)
-      sentences.push_back(fmt::format("the walk ends {:.2f} m from the goal", report.arrivalErrorMetres));
-    if (report.arrivalHeadingError && report.arrivalHeadingError->degrees() > kArrivedDegrees)
-      sentences.push_back(fmt::format("it ends turned {:.0f} degrees from the heading asked for",
-                                      report.arrivalHeadingError->degrees()));
-    if (options_.standing && graph_.canStartStanding() && !report.startsStanding)
-      sentences.emplace_back("it begins in motion: no way that begins with standing was found");
-    if (options_.standing && graph_.canEndStanding() && !report.endsStanding)
-      sentences.emplace_back("it ends in motion: no way that comes to a stand was found");
-    return fmt::format("{}", fmt::join(sentences, "; "));
-  }
-
-  /// Notes which frames of the library the walk plays: a clip piece may be entered and left on its way.
-  void noteEdges(const MotionPath& motion) {
-    PlanReport& report = plan_.report;
-    std::size_t shown = 1;
-    for (const WalkStep& step : motion.steps) {
-      FrameIndex from = step.piece.from;
-      FrameIndex to = step.piece.to;
-      if (step.piece.kind == EdgeKind::kClipPiece) {
-        to = FrameIndex(std::size_t{from.value + step.end});
-        from = FrameIndex(std::size_t{from.value + step.begin});
-      } else {
-        ++report.transitions;
-        report.seams.push_back({shown, from, to, static_cast<double>(step.piece.distanceMetres)});
-      }
-      report.edges.emplace_back(from, to);
-      shown += step.end - step.begin;
-    }
   }
 
   const MotionLibrary& library_;

@@ -50,6 +50,31 @@ describe('the page', () => {
       await visit.screenshot('walk')
     }))
 
+  it('shows the frame of a figure in the report that is clicked on', () =>
+    visiting({}, async (visit) => {
+      const { plan } = await visit.openSample('one_obstacle.json')
+      assert.equal(plan.arrival_error_m < 0.02, true)
+      assert.equal(plan.ends_standing, true)
+      assert.deepEqual(
+        plan.marks.map((mark) => mark.name),
+        ['Joint speed', 'Joint acceleration', 'Widest seam'],
+      )
+      const frames = plan.marks.map((mark) => mark.frame)
+      assert.equal(
+        frames.every((frame) => frame > 0 && frame < plan.frames),
+        true,
+      )
+      // The rows lie one below the other at the panel's right; look for them from the top.
+      const shown = new Set()
+      const box = await visit.canvas.boundingBox()
+      for (let y = 240; y < 460; y += 8) {
+        await visit.page.mouse.click(box.x + box.width - 60, box.y + y)
+        shown.add((await visit.state()).frame)
+      }
+      for (const frame of frames) assert.equal(shown.has(frame), true, `frame ${frame} was not shown`)
+      await visit.screenshot('quality')
+    }))
+
   it('shows the plan from above, in the dark', () =>
     visiting({ colorScheme: 'dark' }, async (visit) => {
       await visit.openSample('scattered.json')

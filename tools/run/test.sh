@@ -98,8 +98,9 @@ judgeMaps() {
   shift 2
   note "judging the walks of $name on every map"
   # Debian's python3, which has the numpy that setup installs; another may come first on the PATH.
+  # Two centimetres from the goal, and no joint driven 1.6 times as hard as the clips do at most.
   /usr/bin/python3 "$referee" --cli build/bin/stridegraph --graph "$library" --clips "$@" --units-per-metre 100 --seeds 3 \
-    --json "build/captures/$name-maps.json" || status=$?
+    --goal-radius 0.02 --max-ratio 1.6 --json "build/captures/$name-maps.json" || status=$?
   recordOutcome "maps: $name" "$status"
 }
 
