@@ -219,8 +219,10 @@ describe('files', () => {
   it('of motion capture become a library, built in a worker', () =>
     visiting({}, async (visit) => {
       const first = await visit.openSample('one_obstacle.json')
-      await visit.page.setInputFiles('#file', await gaitClips())
-      const built = await visit.until((state) => /42 clips/.test(state.notice) && !state.planning)
+      const clips = await gaitClips()
+      await visit.page.setInputFiles('#file', clips)
+      const notice = `${clips.length} clips`
+      const built = await visit.until((state) => state.notice.includes(notice) && !state.planning)
       assert.equal(built.plan.status, 'arrived')
       // The shipped library was built from the same clips, at a smaller threshold.
       assert.notDeepEqual(built.plan.edges, first.plan.edges)
