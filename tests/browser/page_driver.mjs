@@ -114,6 +114,13 @@ export class Visit {
     await this.canvas.press(key)
   }
 
+  /** Waits until the app has drawn what was done so far. */
+  framesPass() {
+    return this.page.evaluate(async () => {
+      for (let left = 2; left > 0; --left) await new Promise((drawn) => requestAnimationFrame(drawn))
+    })
+  }
+
   /** Where a floor point is on the canvas, CSS pixels. */
   pointOf(x, z) {
     return this.page.evaluate(([atX, atZ]) => globalThis.stridegraphApp.pointOf(atX, atZ), [x, z])

@@ -67,8 +67,12 @@ describe('the page', () => {
       // The rows lie one below the other at the panel's right; look for them from the top.
       const shown = new Set()
       const box = await visit.canvas.boundingBox()
-      for (let y = 240; y < 460; y += 8) {
-        await visit.page.mouse.click(box.x + box.width - 60, box.y + y)
+      for (let y = 300; y < 420; y += 10) {
+        await visit.page.mouse.move(box.x + box.width - 60, box.y + y)
+        await visit.page.mouse.down()
+        await visit.framesPass()
+        await visit.page.mouse.up()
+        await visit.framesPass()
         shown.add((await visit.state()).frame)
       }
       for (const frame of frames) assert.equal(shown.has(frame), true, `frame ${frame} was not shown`)
