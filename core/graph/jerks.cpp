@@ -38,17 +38,18 @@ std::vector<ClipSpan> clipSpans(const MotionLibrary& library) {
 std::vector<Jerk> findJerks(const MotionLibrary& library, JointIndex joint, const JerkParams& params) {
   if (joint.value == 0) return {};
   const std::vector<ClipSpan> spans = clipSpans(library);
-  const JointLimit limit = jointLimit(spans, joint);
+  const std::vector<TurnRates> ratesOfClips = turnRates(spans, joint);
+  const JointLimit limit = jointLimit(ratesOfClips);
   std::vector<Jerk> jerks;
-  for (const ClipSpan& span : spans) {
-    const TurnRates rates = turnRates(span, joint);
+  for (std::size_t c = 0; c < spans.size(); ++c) {
+    const TurnRates& rates = ratesOfClips[c];
     for (std::size_t step = 0; step < rates.speeds.size(); ++step) {
       const double speed = rates.speeds[step];
       const bool isTooMuch = speed > params.ratio * limit.speed ||
                              changesAbruptly(rates, step, params.ratio * limit.acceleration);
       if (!isTooMuch || speed <= params.factor * fastestNear(rates.speeds, step)) continue;
       jerks.push_back(
-          {FrameIndex(span.first + step), joint, Angle::radians(speed / library.frames.framesPerSecond)});
+          {FrameIndex(spans[c].first + step), joint, Angle::radians(speed / library.frames.framesPerSecond)});
     }
   }
   return jerks;

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "base/check.h"
+#include "math/percentile.h"
 #include "math/rotation.h"
 
 namespace stridegraph {
@@ -14,32 +16,11 @@ constexpr double kUsualShare = 0.999;
 constexpr double kStillSpeed = 0.5;          // rad/s
 constexpr double kStillAcceleration = 15.0;  // rad/s^2
 
-/// Between the two nearest ranks, linearly; 0 without values.
-double percentile(std::vector<double>& values, double share) {
-  if (values.empty()) return 0.0;
-  const double rank = share * static_cast<double>(values.size() - 1);
-  const auto below = static_cast<std::ptrdiff_t>(rank);
-  std::nth_element(values.begin(), values.begin() + below, values.end());
-  const double low = values[static_cast<std::size_t>(below)];
-  if (below + 1 == static_cast<std::ptrdiff_t>(values.size())) return low;
-  const double high = *std::min_element(values.begin() + below + 1, values.end());
-  return low + (rank - static_cast<double>(below)) * (high - low);
-}
-
-/// The worst of the rates that `ratesOf` picks; the first of them lies at frame 1.
-template <typename RatesOf>
-WorstRatio worstOf(const std::vector<double>& limits, const Clip& clip, RatesOf&& ratesOf) {
-  WorstRatio worst;
-  if (clip.frameCount() == 0) return worst;
-  STRIDEGRAPH_CHECK(limits.size() == clip.jointCount);
-  for (std::size_t j = 1; j < clip.jointCount; ++j) {
-    const TurnRates rates = turnRates(wholeOf(clip), JointIndex(j));
-    const std::vector<double>& values = ratesOf(rates);
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      if (values[i] / limits[j] > worst.ratio) worst = {values[i] / limits[j], i + 1, JointIndex(j)};
-    }
+/// Keeps the worst of some rates of a joint; the first of them lies at frame 1.
+void keepWorst(const std::vector<double>& rates, double limit, JointIndex joint, WorstRatio& worst) {
+  for (std::size_t i = 0; i < rates.size(); ++i) {
+    if (rates[i] / limit > worst.ratio) worst = {rates[i] / limit, i + 1, joint};
   }
-  return worst;
 }
 
 }  // namespace
@@ -59,16 +40,21 @@ TurnRates turnRates(const ClipSpan& span, JointIndex joint) {
   return rates;
 }
 
-JointLimit jointLimit(std::span<const ClipSpan> clips, JointIndex joint) {
+std::vector<TurnRates> turnRates(std::span<const ClipSpan> clips, JointIndex joint) {
+  std::vector<TurnRates> rates;
+  for (const ClipSpan& clip : clips) rates.push_back(turnRates(clip, joint));
+  return rates;
+}
+
+JointLimit jointLimit(std::span<const TurnRates> clips) {
   std::vector<double> speeds;
   std::vector<double> accelerations;
-  for (const ClipSpan& clip : clips) {
-    const TurnRates rates = turnRates(clip, joint);
+  for (const TurnRates& rates : clips) {
     speeds.insert(speeds.end(), rates.speeds.begin(), rates.speeds.end());
     accelerations.insert(accelerations.end(), rates.accelerations.begin(), rates.accelerations.end());
   }
-  return {std::max(percentile(speeds, kUsualShare), kStillSpeed),
-          std::max(percentile(accelerations, kUsualShare), kStillAcceleration)};
+  return {std::max(percentile(std::move(speeds), kUsualShare), kStillSpeed),
+          std::max(percentile(std::move(accelerations), kUsualShare), kStillAcceleration)};
 }
 
 MotionLimits motionLimits(std::span<const ClipSpan> clips) {
@@ -78,21 +64,24 @@ MotionLimits motionLimits(std::span<const ClipSpan> clips) {
   limits.speeds.assign(clips.front().clip->jointCount, kNone);
   limits.accelerations.assign(clips.front().clip->jointCount, kNone);
   for (std::size_t j = 1; j < clips.front().clip->jointCount; ++j) {
-    const JointLimit limit = jointLimit(clips, JointIndex(j));
+    const JointLimit limit = jointLimit(turnRates(clips, JointIndex(j)));
     limits.speeds[j] = limit.speed;
     limits.accelerations[j] = limit.acceleration;
   }
   return limits;
 }
 
-WorstRatio worstSpeedRatio(const MotionLimits& limits, const Clip& clip) {
-  return worstOf(limits.speeds, clip,
-                 [](const TurnRates& rates) -> const std::vector<double>& { return rates.speeds; });
-}
-
-WorstRatio worstAccelerationRatio(const MotionLimits& limits, const Clip& clip) {
-  return worstOf(limits.accelerations, clip,
-                 [](const TurnRates& rates) -> const std::vector<double>& { return rates.accelerations; });
+WorstRatios worstRatios(const MotionLimits& limits, const Clip& clip) {
+  WorstRatios worst;
+  if (clip.frameCount() == 0) return worst;
+  STRIDEGRAPH_CHECK(limits.speeds.size() == clip.jointCount);
+  for (std::size_t j = 1; j < clip.jointCount; ++j) {
+    const JointIndex joint(j);
+    const TurnRates rates = turnRates(wholeOf(clip), joint);
+    keepWorst(rates.speeds, limits.speeds[j], joint, worst.speed);
+    keepWorst(rates.accelerations, limits.accelerations[j], joint, worst.acceleration);
+  }
+  return worst;
 }
 
 }  // namespace stridegraph

@@ -18,6 +18,7 @@ struct TurnRates {
 /// Rates of a joint along a span: lengths of rotation vectors between neighbouring frames, and of their
 /// changes.
 TurnRates turnRates(const ClipSpan& span, JointIndex joint);
+std::vector<TurnRates> turnRates(std::span<const ClipSpan> clips, JointIndex joint);
 
 /// What the joints of captured clips do at most: for each joint but the root the 99.9th percentile of its
 /// rates, so that one glitch does not excuse others, and never less than what a still joint's noise reaches.
@@ -26,12 +27,12 @@ struct MotionLimits {
   std::vector<double> accelerations;  ///< rad/s^2
 };
 
-/// Limits of one joint over some clips of one skeleton; joint by joint, so that long work can be sliced.
+/// Limits of one joint from its rates in some clips; joint by joint, so that long work can be sliced.
 struct JointLimit {
   double speed;         ///< rad/s
   double acceleration;  ///< rad/s^2
 };
-JointLimit jointLimit(std::span<const ClipSpan> clips, JointIndex joint);
+JointLimit jointLimit(std::span<const TurnRates> clips);
 
 MotionLimits motionLimits(std::span<const ClipSpan> clips);
 
@@ -41,7 +42,9 @@ struct WorstRatio {
   std::size_t frame = 0;  ///< For a speed the second of two frames, for an acceleration the middle one.
   JointIndex joint;
 };
-WorstRatio worstSpeedRatio(const MotionLimits& limits, const Clip& clip);
-WorstRatio worstAccelerationRatio(const MotionLimits& limits, const Clip& clip);
+struct WorstRatios {
+  WorstRatio speed, acceleration;
+};
+WorstRatios worstRatios(const MotionLimits& limits, const Clip& clip);
 
 }  // namespace stridegraph

@@ -79,9 +79,8 @@ class LazyRoadmap {
   /// After shortest() found none: the nodes joined to the start.
   const std::vector<std::uint32_t>& met() const { return met_; }
 
-  /// Nodes joined to one end, in the order in which they are met; not many more than `most`.
+  /// Nodes joined to one end, in the order in which they are met; at most `most`. Not after shortest().
   std::vector<std::uint32_t> joinedTo(std::uint32_t end, std::size_t most) {
-    std::fill(metres_.begin(), metres_.end(), kFar);
     expandAll(end, kNone, most);
     return std::move(met_);
   }

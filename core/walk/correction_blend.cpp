@@ -51,6 +51,24 @@ double bell(double offset) {
   return rest > 0.0 ? rest * rest : 0.0;
 }
 
+struct BellSums {
+  double values = 0.0;
+  double weights = 0.0;
+};
+
+/// Weighted sums over the frames within reach of one, which count for less the farther they are.
+BellSums sumsAround(std::size_t frame, std::span<const double> values, std::span<const double> weights,
+                    std::size_t reach) {
+  BellSums sums;
+  for (std::size_t g = frame - std::min(frame, reach); g < std::min(values.size(), frame + reach + 1); ++g) {
+    const double offset =
+        (static_cast<double>(g) - static_cast<double>(frame)) / static_cast<double>(reach + 1);
+    sums.values += bell(offset) * weights[g] * values[g];
+    sums.weights += bell(offset) * weights[g];
+  }
+  return sums;
+}
+
 }  // namespace
 
 std::vector<FootCorrection> carryCorrections(std::span<const PinnedStance> stances, std::size_t frameCount,
@@ -88,17 +106,11 @@ std::vector<double> smoothEnvelope(std::span<const double> values, std::size_t r
   for (std::size_t f = 0; f < count; ++f)
     for (std::size_t g = f - std::min(f, reach); g < std::min(count, f + reach + 1); ++g)
       largest[f] = std::max(largest[f], values[g]);
+  const std::vector<double> even(count, 1.0);
   std::vector<double> result(count, 0.0);
   for (std::size_t f = 0; f < count; ++f) {
-    double sum = 0.0;
-    double weights = 0.0;
-    for (std::size_t g = f - std::min(f, reach); g < std::min(count, f + reach + 1); ++g) {
-      const double offset =
-          (static_cast<double>(g) - static_cast<double>(f)) / static_cast<double>(reach + 1);
-      sum += bell(offset) * largest[g];
-      weights += bell(offset);
-    }
-    result[f] = sum / weights;
+    const BellSums sums = sumsAround(f, largest, even, reach);
+    result[f] = sums.values / sums.weights;
   }
   return result;
 }
@@ -107,18 +119,10 @@ std::vector<double> smoothMean(std::span<const double> values, std::span<const d
                                std::size_t reach) {
   // So much that a single frame at the rim of the reach counts for little.
   constexpr double kNothing = 0.5;
-  const std::size_t count = values.size();
-  std::vector<double> result(count, 0.0);
-  for (std::size_t f = 0; f < count; ++f) {
-    double sum = 0.0;
-    double total = 0.0;
-    for (std::size_t g = f - std::min(f, reach); g < std::min(count, f + reach + 1); ++g) {
-      const double offset =
-          (static_cast<double>(g) - static_cast<double>(f)) / static_cast<double>(reach + 1);
-      sum += bell(offset) * weights[g] * values[g];
-      total += bell(offset) * weights[g];
-    }
-    if (total > 0.0) result[f] = sum / (total + kNothing);
+  std::vector<double> result(values.size(), 0.0);
+  for (std::size_t f = 0; f < result.size(); ++f) {
+    const BellSums sums = sumsAround(f, values, weights, reach);
+    if (sums.weights > 0.0) result[f] = sums.values / (sums.weights + kNothing);
   }
   return result;
 }

@@ -47,9 +47,11 @@ Clip piecePoses(const MotionLibrary& library, const MotionPiece& piece) {
   return poses;
 }
 
-FloorTransform placePiece(const MotionLibrary& library, const MotionPiece& piece,
+FloorTransform placePoses(const MotionLibrary& library, const Clip& poses, std::size_t position,
                           const FloorTransform& placement) {
-  return placement * library.placementAt(piece.from).inverse();
+  FloorTransform inPoses = rootPlacement(poses.pose(position));
+  inPoses.heading = inPoses.heading - library.facingOffset;
+  return placement * inPoses.inverse();
 }
 
 }  // namespace stridegraph

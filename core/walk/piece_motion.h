@@ -12,11 +12,11 @@ namespace stridegraph {
 std::vector<FloorTransform> pieceTrack(const MotionLibrary& library, const MotionPiece& piece);
 
 /// The poses of a piece at positions 0..frames. Their roots are placed as in the library for a clip piece,
-/// and as in the source clip for a transition: `roomFromPiece` of placePiece() brings them into the room.
+/// and as in the source clip for a transition: placePoses() tells what brings them into the room.
 Clip piecePoses(const MotionLibrary& library, const MotionPiece& piece);
 
-/// The floor transform that brings piecePoses() to where its `from` frame stands at `placement`.
-FloorTransform placePiece(const MotionLibrary& library, const MotionPiece& piece,
+/// The floor transform that brings piecePoses() to where its frame at `position` stands at `placement`.
+FloorTransform placePoses(const MotionLibrary& library, const Clip& poses, std::size_t position,
                           const FloorTransform& placement);
 
 }  // namespace stridegraph

@@ -29,8 +29,9 @@ void measureMotion(const FinishedWalk& done, PlanReport& report) {
   report.footSkateCmPerSecond = footSkate(feet, walk.framesPerSecond);
   report.footSkateSourceCmPerSecond = done.sources.footSkateCmPerSecond;
   report.penetrationMetres = footPenetration(feet, done.sources.footFloorsMetres);
-  report.jointSpeed = named(done.library, worstSpeedRatio(done.sources.limits, walk));
-  report.jointAcceleration = named(done.library, worstAccelerationRatio(done.sources.limits, walk));
+  const WorstRatios worst = worstRatios(done.sources.limits, walk);
+  report.jointSpeed = named(done.library, worst.speed);
+  report.jointAcceleration = named(done.library, worst.acceleration);
 }
 
 void measureEnds(const FinishedWalk& done, PlanReport& report) {

@@ -47,22 +47,21 @@ SynthesisedWalk synthesise(const MotionLibrary& library, const MotionPath& path)
   SynthesisedWalk walk;
   walk.clip.framesPerSecond = library.frames.framesPerSecond;
   walk.clip.jointCount = library.skeleton.size();
-  FloorTransform placement = path.start;
+  walk.placements = placementsAlong(library, path);
   for (const WalkStep& step : path.steps) {
     const MotionPiece& piece = step.piece;
-    const std::vector<FloorTransform> track = pieceTrack(library, piece);
     const Clip poses = piecePoses(library, piece);
-    const FloorTransform atPieceStart = placement * track[step.begin].inverse();
-    const FloorTransform roomFromPiece = placePiece(library, piece, atPieceStart);
     // The frame at `begin` was shown by the step before, except at the very beginning.
-    const std::uint32_t first = walk.clip.frameCount() == 0 ? step.begin : step.begin + 1;
+    const bool begins = walk.clip.frameCount() == 0;
+    const std::size_t shown = begins ? 0 : walk.clip.frameCount() - 1;
+    const std::uint32_t first = begins ? step.begin : step.begin + 1;
+    const FloorTransform roomFromPiece = placePoses(library, poses, step.begin, walk.placements[shown]);
     for (std::uint32_t p = first; p <= step.end; ++p) {
       appendPlaced(poses, p, roomFromPiece, walk.clip);
       const bool blended = piece.kind == EdgeKind::kTransition && p > 0 && p < piece.frames;
       walk.frameKinds.push_back(blended ? EdgeKind::kTransition : EdgeKind::kClipPiece);
       walk.contacts.push_back(contactsAt(library, piece, p));
     }
-    placement = atPieceStart * track[step.end];
   }
   return walk;
 }

@@ -10,9 +10,10 @@ namespace stridegraph {
 
 /// Frames of a walk and where each comes from.
 struct SynthesisedWalk {
-  Clip clip;                          ///< In the room; frame 0 stands at the path's start.
-  std::vector<EdgeKind> frameKinds;   ///< One for each frame: captured, or blended in a transition.
-  std::vector<ContactMask> contacts;  ///< One for each frame, bits as in MotionLibrary::contactJoints.
+  Clip clip;                               ///< In the room; frame 0 stands at the path's start.
+  std::vector<FloorTransform> placements;  ///< One for each frame: placementsAlong() the path.
+  std::vector<EdgeKind> frameKinds;        ///< One for each frame: captured, or blended in a transition.
+  std::vector<ContactMask> contacts;       ///< One for each frame, bits as in MotionLibrary::contactJoints.
 };
 
 /// Placements (root on the floor, facing) of all frames that a path shows, in the room.

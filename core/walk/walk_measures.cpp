@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
+#include "math/percentile.h"
 #include "motion/kinematics.h"
 
 namespace stridegraph {
@@ -12,15 +14,11 @@ namespace {
 
 constexpr double kFootHeightMetres = 0.025;
 
-/// What all but 2 % of the heights lie above, with linear interpolation between the two nearest ranks.
+/// What all but 2 % of the heights lie above.
 double floorLevel(const std::vector<Vec3>& path) {
   std::vector<double> heights;
   for (const Vec3& place : path) heights.push_back(place.y());
-  std::sort(heights.begin(), heights.end());
-  const double rank = 0.02 * static_cast<double>(heights.size() - 1);
-  const auto below = static_cast<std::size_t>(rank);
-  const std::size_t above = std::min(below + 1, heights.size() - 1);
-  return heights[below] + (rank - static_cast<double>(below)) * (heights[above] - heights[below]);
+  return percentile(std::move(heights), 0.02);
 }
 
 /// Skate of one joint; negative when it is never down.

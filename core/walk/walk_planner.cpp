@@ -166,7 +166,7 @@ class Planning {
     const Stopwatch watch(options_.clock);
     SynthesisedWalk made = synthesise(library_, motion);
     PlanReport& report = plan_.report;
-    const std::vector<FloorTransform> way = placementsAlong(library_, motion);
+    const std::vector<FloorTransform>& way = made.placements;
     if (report.search == SearchKind::kGuided) {
       if (const std::optional<BentWay> bent = bendToGoal(way, scene_.goal, floor)) {
         moveRoots(way, bent->placements, made.clip);

@@ -80,17 +80,17 @@ TEST(MotionLimits, sayNothingOfTheRoot) {
   Clip clip = withKneeAt({0, 0});
   clip.rotationsOf(1)[0] = axisRotation(Axis::kY, Angle::degrees(90));
   const MotionLimits limits = limitsOf(withKneeAt({0, 1, 2}));
-  EXPECT_EQ(worstSpeedRatio(limits, clip).ratio, 0.0);
+  EXPECT_EQ(worstRatios(limits, clip).speed.ratio, 0.0);
 }
 
 TEST(WorstRatio, namesFrameAndJoint) {
   const MotionLimits limits = limitsOf(withKneeAt(steadyWithOneJump(5000, 0)));
   const Clip walk = withKneeAt(steadyWithOneJump(40, 17));
-  const WorstRatio speed = worstSpeedRatio(limits, walk);
+  const WorstRatio speed = worstRatios(limits, walk).speed;
   EXPECT_NEAR(speed.ratio, 4.0, 1e-6);
   EXPECT_EQ(speed.frame, 17U) << "the frame after the jump";
   EXPECT_EQ(speed.joint, JointIndex(kKnee));
-  const WorstRatio acceleration = worstAccelerationRatio(limits, walk);
+  const WorstRatio acceleration = worstRatios(limits, walk).acceleration;
   EXPECT_NEAR(acceleration.ratio, Angle::degrees(3.0 * 30 * 30).radians() / 15.0, 1e-6);
   EXPECT_GE(acceleration.frame, 16U) << "where the jump begins or, as jerky, where it ends";
   EXPECT_LE(acceleration.frame, 17U);
@@ -98,8 +98,8 @@ TEST(WorstRatio, namesFrameAndJoint) {
 
 TEST(WorstRatio, isZeroOfASingleFrame) {
   const MotionLimits limits = limitsOf(withKneeAt({0, 1}));
-  EXPECT_EQ(worstSpeedRatio(limits, withKneeAt({0})).ratio, 0.0);
-  EXPECT_EQ(worstAccelerationRatio(limits, withKneeAt({0})).ratio, 0.0);
+  EXPECT_EQ(worstRatios(limits, withKneeAt({0})).speed.ratio, 0.0);
+  EXPECT_EQ(worstRatios(limits, withKneeAt({0})).acceleration.ratio, 0.0);
 }
 
 TEST(MotionLimits, doNotLookAcrossTheEndsOfSpans) {

@@ -47,7 +47,7 @@ TEST(PiecePoses, lieOnTheEdgesTrackOncePlaced) {
   for (const MotionEdge& edge : library.graph.edges) {
     const std::vector<FloorTransform> track = pieceTrack(library, pieceOf(library.graph, edge));
     const Clip poses = piecePoses(library, pieceOf(library.graph, edge));
-    const FloorTransform roomFromPiece = placePiece(library, pieceOf(library.graph, edge), placement);
+    const FloorTransform roomFromPiece = placePoses(library, poses, 0, placement);
     ASSERT_EQ(poses.frameCount(), track.size());
     for (std::size_t p = 0; p < track.size(); ++p) {
       const Vec2 root = onFloor(roomFromPiece.apply(poses.rootPositions[p]));
