@@ -1,5 +1,6 @@
 #include "math/floor_transform.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -98,6 +99,18 @@ double quarterTurns(const Heading& heading) {
   const double p = heading.sin / (std::abs(heading.sin) + std::abs(heading.cos));
   if (heading.cos < 0.0) return 2.0 - p;
   return p < 0.0 ? 4.0 + p : p;
+}
+
+double turnFraction(const Heading& heading) {
+  const double quarters = quarterTurns(heading);
+  const double whole = std::min(std::floor(quarters), 3.0);
+  // Within a quarter, tan(angle - 45 degrees) is linear in quarterTurns.
+  const double x = 2.0 * (quarters - whole) - 1.0;
+  const double xx = x * x;
+  // Arc tangent for |x| <= 1, minimax (Abramowitz and Stegun 1964, 4.4.47 is its like), error below 2e-5 rad.
+  const double arc =
+      x * (0.9998660 + xx * (-0.3302995 + xx * (0.1801410 + xx * (-0.0851330 + xx * 0.0208351))));
+  return 0.25 * (whole + 0.5 + arc * (2.0 / std::numbers::pi));
 }
 
 }  // namespace stridegraph

@@ -34,6 +34,10 @@ struct Heading {
 /// each quarter.
 double quarterTurns(const Heading& heading);
 
+/// How far a heading is turned from +z, 0 to 1 for once around, within 2e-5 of a turn; computed without libm,
+/// so that it is the same everywhere.
+double turnFraction(const Heading& heading);
+
 /// The heading `fraction` of the way from one to the other along the shorter arc, by normalised linear
 /// interpolation: within 2e-4 rad of the arc's own division for turns below 0.2 rad.
 Heading blend(const Heading& from, const Heading& to, double fraction);

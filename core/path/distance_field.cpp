@@ -196,6 +196,34 @@ double DistanceField::metresToGoal(const Vec2& point) const {
   return std::isfinite(near) ? near : nearbyMetres(point, 2);
 }
 
+DistanceField::Sample DistanceField::at(const Vec2& point) const {
+  const double x = point.x() * inverseCell_ + 0.5;
+  const double z = point.y() * inverseCell_ + 0.5;
+  if (!(x >= 0.0 && z >= 0.0 && x < static_cast<double>(columns_ + 1) &&
+        z < static_cast<double>(rows_ + 1))) {
+    return {kInfinity, Vec2::Zero()};
+  }
+  const auto c = static_cast<std::size_t>(x);
+  const auto r = static_cast<std::size_t>(z);
+  const double alongX = x - static_cast<double>(c);
+  const double alongZ = z - static_cast<double>(r);
+  const float* const low = values_.data() + indexOf(c, r);
+  const float* const high = low + stride_;
+  const double lowMetres = double{low[0]} + alongX * (double{low[1]} - double{low[0]});
+  const double highMetres = double{high[0]} + alongX * (double{high[1]} - double{high[0]});
+  const double metres = lowMetres + alongZ * (highMetres - lowMetres);
+  if (!std::isfinite(metres)) return {metresToGoal(point), directionToGoal(point)};
+  if (metres < 1.5 * cellMetres_) {
+    const Vec2 toGoal = goal_ - point;
+    return {toGoal.norm(), toGoal.norm() > 1e-9 ? Vec2(toGoal.normalized()) : Vec2::Zero()};
+  }
+  const Vec2 fall(
+      (1.0 - alongZ) * (double{low[0]} - double{low[1]}) + alongZ * (double{high[0]} - double{high[1]}),
+      lowMetres - highMetres);
+  const double norm = fall.norm();
+  return {metres, norm > 1e-9 ? Vec2(fall / norm) : Vec2::Zero()};
+}
+
 Vec2 DistanceField::directionToGoal(const Vec2& point) const {
   const double step = 0.5 * cellMetres_;
   const double here = metresToGoal(point);

@@ -35,6 +35,14 @@ class DistanceField {
   /// Unit direction in which the distance falls fastest; zero at the goal and where it is infinite.
   Vec2 directionToGoal(const Vec2& point) const;
 
+  /// Both at once: metresToGoal(), and the direction by which its bilinear values fall; directionToGoal()
+  /// beside walls.
+  struct Sample {
+    double metres = 0.0;
+    Vec2 direction = Vec2::Zero();
+  };
+  Sample at(const Vec2& point) const;
+
   double cellMetres() const { return cellMetres_; }
   std::size_t cellCount() const { return values_.size(); }
 

@@ -29,35 +29,40 @@ void appendWay(const SearchGraph& graph, const SearchEdge& way, std::uint32_t la
 }  // namespace
 
 GuidedRun::GuidedRun(const MotionQuery& query, const GuidedSearchParams& params, const GuidedStage& stage,
-                     const DistanceField& field, const WalkEnd& end)
-    : query_(query), params_(params), stage_(stage), field_(field), end_(end) {
+                     CostToGo& costToGo, const DistanceField& field, const WalkEnd& end)
+    : query_(query), params_(params), stage_(stage), costToGo_(costToGo), field_(field), end_(end) {
   if (!end.facing || !query.goal.heading) return;
   goalHeading_ = Heading::fromAngle(*query.goal.heading);
   goalCosine_ = Heading::fromAngle(query.goalTurn).cos;
 }
 
-MotionResult GuidedRun::search(std::span<const Heading> startHeadings) {
+MotionResult GuidedRun::search(std::span<const Heading> startHeadings, std::uint64_t limit,
+                               double costBound) {
+  costBound_ = costBound;
   MotionResult result;
   std::size_t ends = 0;
   for (const Heading& heading : startHeadings) begin({query_.start.position, heading});
-  const std::uint64_t limit =
-      stage_.maxExpansions +
-      static_cast<std::uint64_t>(stage_.expansionsPerMetre * field_.metresToGoal(query_.start.position));
   while (!open_.empty()) {
     const std::uint32_t id = open_.pop();
-    if (states_[id].isEnd()) {
+    const State state = states_[id];
+    if (!state.isEnd() && closed_.contains(key(state))) continue;
+    if (!isOpen(id)) continue;
+    if (state.isEnd()) {
       MotionPath path = pathTo(id);
       const bool accepted = !query_.accepts || query_.accepts(path);
-      if (accepted || result.path.steps.empty()) result.path = std::move(path);
+      if (accepted || result.path.steps.empty()) {
+        result.path = std::move(path);
+        result.costMetres = state.cost;
+      }
       result.status = SearchStatus::kArrived;
       if (accepted || ++ends == kEndsTried) break;
       continue;
     }
-    if (!closed_.insert(key(states_[id]))) continue;
     if (result.expansions == limit || outOfTime(result.expansions)) {
       if (ends == 0) result.status = SearchStatus::kBudgetSpent;
       break;
     }
+    closed_.insert(key(state));
     ++result.expansions;
     expand(id);
   }
@@ -65,37 +70,45 @@ MotionResult GuidedRun::search(std::span<const Heading> startHeadings) {
 }
 
 void GuidedRun::begin(const FloorTransform& start) {
-  for (const SearchStart& first : query_.graph.starts()) {
-    const bool charged = query_.standing && query_.graph.canStartStanding() && !first.stands;
-    const std::size_t before = states_.size();
+  for (const SearchStart& first : query_.tables.graph.starts()) {
+    const bool charged = query_.standing && query_.tables.graph.canStartStanding() && !first.stands;
     reach(kNone, start, charged ? params_.cost.movingStart : 0.0, first.edge);
     startOf_.resize(states_.size(), start.heading);
-    begun_ = begun_ || states_.size() > before;
   }
 }
 
 void GuidedRun::expand(std::uint32_t id) {
   const State state = states_[id];
   if (end_.standing) openArrival(id, state);
-  for (const SearchEdge& edge : query_.graph.edgesFrom(state.via->to)) {
+  for (const SearchEdge& edge : query_.tables.graph.edgesFrom(state.via->to)) {
     reach(id, state.placement, state.cost, edge);
   }
 }
 
-/// Walks a way from a placement, frame by frame; opens the state at its end unless something is in the way,
-/// and the walk's end on it if there is one.
+/// Opens the state at the end of a way, and the walk's end on it if there is one. Whether the way is free is
+/// asked only when its turn comes.
 void GuidedRun::reach(std::uint32_t parent, const FloorTransform& from, double cost, const SearchEdge& edge) {
-  const std::span<const Eigen::Vector2f> samples = query_.graph.samplesOf(edge);
-  const std::span<const Eigen::Vector2f> headings = query_.graph.headingsOf(edge);
+  openEndOn(parent, from, cost, edge);
+  if (edge.to == kNone) return;
+  const State state{from * edge.end, cost + costOf(edge), &edge, parent, kNone, kNone};
+  if (closed_.contains(key(state))) return;
+  const double toGo = costToGo(state);
+  if (std::isfinite(toGo)) open(state, toGo);
+}
+
+void GuidedRun::openEndOn(std::uint32_t parent, const FloorTransform& from, double cost,
+                          const SearchEdge& edge) {
+  const double reach = edge.lengthMetres + end_.radiusMetres;
+  if ((from.translation - query_.goal.position).squaredNorm() > reach * reach) return;
+  if (end_.standing && edge.settledSample == kNone) return;
+  const std::span<const Eigen::Vector2f> samples = query_.tables.graph.samplesOf(edge);
+  const std::span<const Eigen::Vector2f> headings = query_.tables.graph.headingsOf(edge);
   double nearest = end_.radiusMetres;
   std::uint32_t goalSample = kNone;
-  for (std::uint32_t s = 0; s < samples.size(); ++s) {
+  const std::uint32_t first = end_.standing ? edge.settledSample : 0;
+  const std::uint32_t last = end_.standing ? first : edge.sampleCount - 1;
+  for (std::uint32_t s = first; s <= last; ++s) {
     const Vec2 point = from * Vec2(samples[s].cast<double>());
-    if (!query_.plan.isFree(point)) {
-      openEnd(parent, from, cost, edge, goalSample);
-      return;
-    }
-    if (end_.standing && s != edge.settledSample) continue;
     const double toGoal = (point - query_.goal.position).norm();
     if (toGoal >= nearest) continue;
     if (!facesGoal(from.heading + Heading{double{headings[s].x()}, double{headings[s].y()}})) continue;
@@ -103,11 +116,19 @@ void GuidedRun::reach(std::uint32_t parent, const FloorTransform& from, double c
     goalSample = s;
   }
   openEnd(parent, from, cost, edge, goalSample);
-  if (edge.to == kNone) return;
-  const State state{from * edge.end, cost + costOf(edge), &edge, parent, kNone, kNone};
-  if (closed_.contains(key(state))) return;
-  const double toGo = costToGo(state);
-  if (std::isfinite(toGo)) open(state, toGo);
+}
+
+/// Whether the way to a state, or an arrival, touches nothing.
+bool GuidedRun::isOpen(std::uint32_t id) {
+  const State& state = states_[id];
+  if (state.via == nullptr) return true;
+  const FloorTransform from =
+      state.isEnd() ? state.placement
+                    : (state.parent == kNone ? FloorTransform{query_.start.position, startOf_[id]}
+                                             : states_[state.parent].placement);
+  const bool free = isFree(from, *state.via, state.isEnd() ? state.goalSample + 1 : state.via->sampleCount);
+  begun_ = begun_ || free;
+  return free;
 }
 
 void GuidedRun::openEnd(std::uint32_t parent, const FloorTransform& from, double cost, const SearchEdge& edge,
@@ -119,13 +140,13 @@ void GuidedRun::openEnd(std::uint32_t parent, const FloorTransform& from, double
 
 /// Opens the cheapest ways from a state to a stand at the goal that are known and free.
 void GuidedRun::openArrival(std::uint32_t parent, const State& state) {
-  if (field_.metresToGoal(state.placement.translation) > query_.arrivals.reachMetres()) return;
+  if (field_.metresToGoal(state.placement.translation) > query_.tables.arrivals.reachMetres()) return;
   const FloorTransform nodeFromRoom = state.placement.inverse();
   std::size_t tried = 0;
   std::size_t opened = 0;
   for (const std::uint32_t id :
-       query_.arrivals.near(state.via->to, nodeFromRoom * query_.goal.position, end_.radiusMetres)) {
-    const Arrival& arrival = query_.arrivals[id];
+       query_.tables.arrivals.near(state.via->to, nodeFromRoom * query_.goal.position, end_.radiusMetres)) {
+    const Arrival& arrival = query_.tables.arrivals[id];
     if (!facesGoal(state.placement.heading + arrival.end.heading)) continue;
     if (isFree(state.placement, id)) {
       open({state.placement, state.cost + arrival.costMetres, nullptr, parent, kNone, id}, 0.0);
@@ -136,21 +157,23 @@ void GuidedRun::openArrival(std::uint32_t parent, const State& state) {
 }
 
 void GuidedRun::open(const State& state, double toGo) {
-  open_.push(state.cost + stage_.heuristicWeight * toGo, static_cast<std::uint32_t>(states_.size()));
+  const double value = state.cost + stage_.heuristicWeight * toGo;
+  if (value >= costBound_) return;
+  open_.push(value, static_cast<std::uint32_t>(states_.size()));
   states_.push_back(state);
 }
 
 bool GuidedRun::isFree(const FloorTransform& from, const SearchEdge& edge, std::uint32_t samples) const {
-  const std::span<const Eigen::Vector2f> points = query_.graph.samplesOf(edge).first(samples);
+  const std::span<const Eigen::Vector2f> points = query_.tables.graph.samplesOf(edge).first(samples);
   return std::all_of(points.begin(), points.end(), [&](const Eigen::Vector2f& point) {
     return query_.plan.isFree(from * Vec2(point.cast<double>()));
   });
 }
 
 bool GuidedRun::isFree(FloorTransform from, std::uint32_t arrival) const {
-  for (; arrival != kNone; arrival = query_.arrivals[arrival].next) {
-    const Arrival& at = query_.arrivals[arrival];
-    const SearchEdge& edge = query_.graph.edges()[at.edge];
+  for (; arrival != kNone; arrival = query_.tables.arrivals[arrival].next) {
+    const Arrival& at = query_.tables.arrivals[arrival];
+    const SearchEdge& edge = query_.tables.graph.edges()[at.edge];
     if (!isFree(from, edge, at.next == kNone ? edge.settledSample + 1 : edge.sampleCount)) return false;
     from = from * edge.end;
   }
@@ -176,8 +199,8 @@ double GuidedRun::seededShare(const SearchEdge& edge) const {
 }
 
 double GuidedRun::costToGo(const State& state) const {
-  const double toGoal = field_.metresToGoal(state.placement.translation);
-  return end_.standing ? std::max(toGoal, query_.arrivals.leastMetres(state.via->to)) : toGoal;
+  const double toGo = costToGo_.metres(state.via->to, state.placement);
+  return end_.standing ? std::max(toGo, query_.tables.arrivals.leastMetres(state.via->to)) : toGo;
 }
 
 std::uint64_t GuidedRun::key(const State& state) const {
@@ -200,12 +223,12 @@ MotionPath GuidedRun::pathTo(std::uint32_t id) const {
   path.start = {query_.start.position, startOf_[chain.back()]};
   for (auto it = chain.rbegin(); it != chain.rend(); ++it) {
     const State& state = states_[*it];
-    if (state.via != nullptr) appendWay(query_.graph, *state.via, state.goalSample, path.steps);
+    if (state.via != nullptr) appendWay(query_.tables.graph, *state.via, state.goalSample, path.steps);
   }
-  for (std::uint32_t a = states_[id].arrival; a != kNone; a = query_.arrivals[a].next) {
-    const SearchEdge& edge = query_.graph.edges()[query_.arrivals[a].edge];
-    const bool last = query_.arrivals[a].next == kNone;
-    appendWay(query_.graph, edge, last ? edge.settledSample : kNone, path.steps);
+  for (std::uint32_t a = states_[id].arrival; a != kNone; a = query_.tables.arrivals[a].next) {
+    const SearchEdge& edge = query_.tables.graph.edges()[query_.tables.arrivals[a].edge];
+    const bool last = query_.tables.arrivals[a].next == kNone;
+    appendWay(query_.tables.graph, edge, last ? edge.settledSample : kNone, path.steps);
   }
   return path;
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "path/distance_field.h"
+#include "walk/cost_to_go.h"
 #include "walk/guided_search.h"
 #include "walk/search_heap.h"
 #include "walk/state_set.h"
@@ -22,9 +23,10 @@ struct WalkEnd {
 class GuidedRun {
  public:
   GuidedRun(const MotionQuery& query, const GuidedSearchParams& params, const GuidedStage& stage,
-            const DistanceField& field, const WalkEnd& end);
+            CostToGo& costToGo, const DistanceField& field, const WalkEnd& end);
 
-  MotionResult search(std::span<const Heading> startHeadings);
+  /// Looks for a walk that costs less than `costBound`, metres.
+  MotionResult search(std::span<const Heading> startHeadings, std::uint64_t maxExpansions, double costBound);
 
   /// Whether any way to begin could be walked to its end.
   bool begun() const { return begun_; }
@@ -46,11 +48,13 @@ class GuidedRun {
   void begin(const FloorTransform& start);
   void expand(std::uint32_t id);
   void reach(std::uint32_t parent, const FloorTransform& from, double cost, const SearchEdge& edge);
+  void openEndOn(std::uint32_t parent, const FloorTransform& from, double cost, const SearchEdge& edge);
   void openEnd(std::uint32_t parent, const FloorTransform& from, double cost, const SearchEdge& edge,
                std::uint32_t sample);
   void openArrival(std::uint32_t parent, const State& state);
   void open(const State& state, double toGo);
 
+  bool isOpen(std::uint32_t id);
   bool isFree(const FloorTransform& from, const SearchEdge& edge, std::uint32_t samples) const;
   bool isFree(FloorTransform from, std::uint32_t arrival) const;
   bool facesGoal(const Heading& heading) const;
@@ -64,6 +68,7 @@ class GuidedRun {
   const MotionQuery& query_;
   const GuidedSearchParams& params_;
   const GuidedStage& stage_;
+  CostToGo& costToGo_;
   const DistanceField& field_;
   WalkEnd end_;
   Heading goalHeading_;
@@ -72,6 +77,7 @@ class GuidedRun {
   std::vector<Heading> startOf_;  ///< Of the first states, the heading that each begins with.
   SearchHeap open_;
   StateSet closed_;
+  double costBound_ = 0.0;
   bool begun_ = false;
 };
 

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <vector>
 
 #include "walk/guided_run.h"
 
 namespace stridegraph {
 namespace {
+
+constexpr double kNoBound = std::numeric_limits<double>::infinity();
 
 /// A walk that ends this near the goal can be bent to end on it: 5 % of its last two metres.
 constexpr double kBendableMetres = 0.1;
@@ -36,12 +39,24 @@ std::vector<Heading> startHeadings(const MotionQuery& query, const GuidedSearchP
   return headings;
 }
 
-/// Stages in the order in which they are tried: those after the first answer an open list that ran empty,
-/// those of the second row a budget that ran out.
-constexpr std::array<GuidedStage, 3> kAfterExhaustion = {
-    {{}, {1.3, 1.0, 0.2, 24, true, 40'000, 250.0}, {1.3, 1.0, 0.1, 48, true, 400'000, 250.0}}};
+/// Stages in the order in which they are tried while budgets run out; weight, factor on transitions, cells,
+/// headings, turned start, expansions, and more for each metre.
+constexpr std::array<GuidedStage, 3> kStages = {
+    {{1.05, 1.0, 0.2, 24, false, 3'000, 40.0}, {1.1, 1.0, 0.2, 24, false, 6'000, 100.0}, {}}};
+/// What follows when a stage has run through all states: other first headings, then finer cells.
+constexpr std::array<GuidedStage, 2> kAfterExhaustion = {
+    {{1.2, 1.0, 0.2, 24, true, 40'000, 250.0}, {1.2, 1.0, 0.1, 48, true, 400'000, 250.0}}};
+/// What follows when all budgets ran out.
 constexpr std::array<GuidedStage, 2> kAfterBudget = {
     {{1.5, 1.0, 0.2, 24, true, 100'000, 500.0}, {3.0, 0.0, 0.1, 48, true, 1'000'000, 0.0}}};
+
+/// By how much the weight falls from one improvement to the next, and where that ends: at half of the
+/// estimate nothing more will be found in time.
+constexpr double kWeightFall = 0.95;
+constexpr double kLeastWeight = 0.5;
+
+/// An improvement below this is none, metres of cost.
+constexpr double kWorthMetres = 0.01;
 
 std::string explain(SearchStatus status, bool begun) {
   if (status == SearchStatus::kBudgetSpent) {
@@ -60,12 +75,14 @@ class Cascade {
   Cascade(const MotionQuery& query, const GuidedSearchParams& params)
       : query_(query),
         params_(params),
-        field_(query.plan, query.goal.position, {.openPath = {query.path.begin(), query.path.end()}}) {}
+        field_(query.plan, query.goal.position, {.openPath = {query.path.begin(), query.path.end()}}),
+        costToGo_(query.tables, field_, {query.plan.widthMetres(), query.plan.depthMetres()}) {}
 
   MotionResult run() {
     MotionResult result;
     for (const WalkEnd& end : ends()) {
       result = seek(end);
+      if (result.status == SearchStatus::kArrived) improve(result, end);
       if (result.status == SearchStatus::kArrived || outOfTime()) break;
     }
     result.expansions = expansions_;
@@ -79,7 +96,7 @@ class Cascade {
     std::vector<WalkEnd> ends;
     const double wide = query_.goalRadiusMetres;
     const double narrow = std::min(wide, kBendableMetres);
-    const bool canStand = query_.standing && query_.graph.canEndStanding();
+    const bool canStand = query_.standing && query_.tables.graph.canEndStanding();
     if (canStand) ends.push_back({true, true, narrow});
     if (canStand && wide > narrow) ends.push_back({true, true, wide});
     ends.push_back({false, true, wide});
@@ -89,21 +106,43 @@ class Cascade {
   }
 
   MotionResult seek(const WalkEnd& end) {
+    MotionResult result = tryInTurn(kStages, SearchStatus::kBudgetSpent, end);
+    if (result.status == SearchStatus::kNoMotion)
+      result = tryInTurn(kAfterExhaustion, SearchStatus::kNoMotion, end);
+    if (result.status == SearchStatus::kBudgetSpent && !outOfTime())
+      result = tryInTurn(kAfterBudget, SearchStatus::kBudgetSpent, end);
+    return result;
+  }
+
+  /// Tries stages until one ends otherwise than `goOn`.
+  MotionResult tryInTurn(std::span<const GuidedStage> stages, SearchStatus goOn, const WalkEnd& end) {
     MotionResult result;
-    for (const GuidedStage& stage : kAfterExhaustion) {
-      result = tryStage(stage, end);
-      if (result.status != SearchStatus::kNoMotion) break;
-    }
-    for (const GuidedStage& stage : kAfterBudget) {
-      if (result.status != SearchStatus::kBudgetSpent || outOfTime()) break;
-      result = tryStage(stage, end);
+    for (const GuidedStage& stage : stages) {
+      const auto limit =
+          stage.maxExpansions +
+          static_cast<std::uint64_t>(stage.expansionsPerMetre * field_.metresToGoal(query_.start.position));
+      result = tryStage(stage, end, limit, kNoBound);
+      stage_ = stage;
+      if (result.status != goOn || outOfTime()) break;
     }
     return result;
   }
 
-  MotionResult tryStage(const GuidedStage& stage, const WalkEnd& end) {
-    GuidedRun run(query_, params_, stage, field_, end);
-    MotionResult result = run.search(startHeadings(query_, params_, stage));
+  /// Looks for better walks than the first until the budget is spent.
+  void improve(MotionResult& best, const WalkEnd& end) {
+    std::uint64_t left = query_.improvementExpansions;
+    GuidedStage stage = stage_;
+    while (left > 0 && stage.heuristicWeight > kLeastWeight && !outOfTime()) {
+      stage.heuristicWeight *= kWeightFall;
+      MotionResult found = tryStage(stage, end, left, best.costMetres - kWorthMetres);
+      left -= std::min(left, found.expansions);
+      if (found.status == SearchStatus::kArrived) best = std::move(found);
+    }
+  }
+
+  MotionResult tryStage(const GuidedStage& stage, const WalkEnd& end, std::uint64_t limit, double costBound) {
+    GuidedRun run(query_, params_, stage, costToGo_, field_, end);
+    MotionResult result = run.search(startHeadings(query_, params_, stage), limit, costBound);
     expansions_ += result.expansions;
     begun_ = begun_ || run.begun();
     return result;
@@ -113,7 +152,9 @@ class Cascade {
 
   const MotionQuery& query_;
   const GuidedSearchParams& params_;
+  GuidedStage stage_;  ///< Tried last.
   DistanceField field_;
+  CostToGo costToGo_;
   std::uint64_t expansions_ = 0;
   bool begun_ = false;
 };

@@ -5,9 +5,9 @@
 
 namespace stridegraph {
 
-/// The strategy of one stage; the defaults are those of the first.
+/// The strategy of one stage.
 struct GuidedStage {
-  double heuristicWeight = 1.3;     ///< w of weighted A* (Pohl 1970).
+  double heuristicWeight = 1.2;     ///< w of weighted A* (Pohl 1970).
   double transitionFactor = 1.0;    ///< On the costs of transitions.
   double cellMetres = 0.2;          ///< States in the same cell, at the same node, count as one ...
   std::uint32_t headingCells = 24;  ///< ... when they also face the same of so many sectors.
@@ -22,11 +22,14 @@ struct GuidedSearchParams {
 };
 
 /// Weighted A* over (node, place, heading) with every frame checked against the room, a cost-to-go that knows
-/// the room's geometry, and a memory of states reached before. Where the first stage finds nothing, others
-/// follow: with a turned start and finer cells when the open list ran empty, with a greedier search when its
-/// budget ran out. A walk that comes to a stand, and faces as the goal asks, is sought first; where there is
-/// none, the standing and then the heading are given up. Says no motion only when a stage with fine cells has
-/// run through every state it can reach.
+/// the room's geometry and the library's turns (CostToGo), and a memory of states reached before. It begins
+/// with little greed and a small budget, which is enough in most rooms; others follow: greedier ones with
+/// more when the budget ran out, a turned start and finer cells when the open list ran empty. A walk that
+/// comes to a stand, and faces as the goal asks, is sought first; where there is none, the standing and then
+/// the heading are given up. Says no motion only when a stage with fine cells has run through every state it
+/// can reach. With expansions left for improvement it goes on with ever smaller weights, each time for a walk
+/// that costs less than the best so far (anytime weighted A*, Hansen and Zhou 2007; restarted as by Richter,
+/// Thayer and Ruml 2010, since states reached by a greedy search are reached by poor ways).
 MotionResult guidedSearch(const MotionQuery& query, const GuidedSearchParams& params = {});
 
 }  // namespace stridegraph

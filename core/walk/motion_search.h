@@ -9,9 +9,8 @@
 
 #include "path/floor_plan.h"
 #include "scene/scene.h"
-#include "walk/arrivals.h"
 #include "walk/motion_path.h"
-#include "walk/search_graph.h"
+#include "walk/search_tables.h"
 
 namespace stridegraph {
 
@@ -24,8 +23,7 @@ std::optional<SearchKind> searchFromName(std::string_view name);
 /// What a motion search is asked. Start and goal are free and a path leads from one to the other.
 struct MotionQuery {
   const MotionLibrary& library;
-  const SearchGraph& graph;
-  const ArrivalTable& arrivals;
+  const SearchTables& tables;
   const FloorPlan& plan;
   Placement start;  ///< Without a heading the search may choose one.
   Placement goal;
@@ -39,6 +37,8 @@ struct MotionQuery {
   /// Whether a walk found will do; where it will not, the guided search looks at some more before it takes
   /// the first. May be empty.
   std::function<bool(const MotionPath&)> accepts;
+  /// States looked at beyond those of the first walk to find cheaper ones; 0 takes the first.
+  std::uint64_t improvementExpansions = 0;
   std::function<bool()> outOfTime;  ///< Asked now and then; true ends the search. May be empty.
 };
 
@@ -47,6 +47,7 @@ enum class SearchStatus { kArrived, kNoMotion, kBudgetSpent };
 struct MotionResult {
   SearchStatus status = SearchStatus::kNoMotion;
   MotionPath path;               ///< Without steps unless arrived.
+  double costMetres = 0.0;       ///< Of the path, by WalkCost.
   std::uint64_t expansions = 0;  ///< States whose ways on were looked at.
   std::string explanation;       ///< When not arrived: what stood in the way.
 };

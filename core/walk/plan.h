@@ -37,7 +37,8 @@ struct PlanOptions {
   bool footCleanup = true;            ///< Pin planted feet (FootCleanup); false leaves them as blended.
   double subgoalSpacingMetres = 2.0;  ///< Of the thesis search (5.5), 0.2..20.
   double budgetMilliseconds = 0.0;    ///< For the motion search; 0 means no limit in time.
-  MillisecondClock clock;             ///< For timings and the budget.
+  std::uint64_t improvementExpansions = 0;
+  MillisecondClock clock;  ///< For timings and the budget.
 };
 
 /// A transition in a walk.
@@ -121,8 +122,7 @@ class WalkPlanner {
 
  private:
   std::shared_ptr<const MotionLibrary> library_;
-  SearchGraph graph_;
-  ArrivalTable arrivals_;
+  SearchTables tables_;
   FootCleanup feet_;
   SourceFigures sources_;
 };

@@ -78,7 +78,8 @@ class Traversal {
       for (std::uint32_t e = graph.firstEdge[state.node]; e < graph.firstEdge[state.node + 1]; ++e) {
         const EdgeIndex edge(e);
         const auto next = static_cast<std::uint32_t>(states_.size());
-        states_.push_back({graph.edges[e].to.value, state.placement * query_.graph.endOf(edge), id, edge});
+        states_.push_back(
+            {graph.edges[e].to.value, state.placement * query_.tables.graph.endOf(edge), id, edge});
         const FloorTransform& placement = states_.back().placement;
         if ((placement.translation - target).norm() < reachMetres) return next;
         queue.push(fitness(placement, target), next);

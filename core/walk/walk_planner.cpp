@@ -84,8 +84,7 @@ std::string explainPath(PlanStatus status, double radius) {
 /// What is known of a library before any plan.
 struct Prepared {
   const MotionLibrary& library;
-  const SearchGraph& graph;
-  const ArrivalTable& arrivals;
+  const SearchTables& tables;
   const FootCleanup& feet;
   const SourceFigures& sources;
 };
@@ -95,7 +94,6 @@ class Planning {
  public:
   Planning(const Prepared& prepared, const Scene& scene, const PlanOptions& options)
       : library_(prepared.library),
-        graph_(prepared.graph),
         prepared_(prepared),
         scene_(scene),
         options_(options),
@@ -139,8 +137,7 @@ class Planning {
     const Stopwatch watch(options_.clock);
     const MotionQuery query{
         library_,
-        graph_,
-        prepared_.arrivals,
+        prepared_.tables,
         floor,
         scene_.start,
         scene_.goal,
@@ -153,6 +150,7 @@ class Planning {
         [&](const MotionPath& path) {
           return bendToGoal(placementsAlong(library_, path), scene_.goal, floor).has_value();
         },
+        options_.improvementExpansions,
         [&] { return options_.budgetMilliseconds > 0.0 && watch.elapsed() > options_.budgetMilliseconds; }};
     MotionResult found = searchMotion(options_.search, query);
     plan_.report.status = statusOf(found.status);
@@ -175,7 +173,9 @@ class Planning {
       }
     }
     if (options_.footCleanup) cleanFeet(made);
-    measurePlan({library_, graph_, prepared_.sources, floor, scene_, options_, motion, made.clip}, report);
+    measurePlan(
+        {library_, prepared_.tables.graph, prepared_.sources, floor, scene_, options_, motion, made.clip},
+        report);
     plan_.walk = std::move(made.clip);
     plan_.frameKinds = std::move(made.frameKinds);
     plan_.contacts = std::move(made.contacts);
@@ -192,7 +192,6 @@ class Planning {
   }
 
   const MotionLibrary& library_;
-  const SearchGraph& graph_;
   const Prepared& prepared_;
   const Scene& scene_;
   const PlanOptions& options_;
@@ -204,15 +203,14 @@ class Planning {
 
 WalkPlanner::WalkPlanner(std::shared_ptr<const MotionLibrary> library)
     : library_(std::move(library)),
-      graph_(*library_),
-      arrivals_(graph_, WalkCost{}, library_->frames.framesPerSecond, {}),
+      tables_(*library_),
       feet_(*library_),
       sources_(sourceFigures(*library_)) {}
 
 Result<Plan> WalkPlanner::plan(const Scene& scene, const PlanOptions& options) const {
   if (auto checked = checkScene(scene); !checked) return fail(std::move(checked));
   if (auto checked = checkOptions(options); !checked) return fail(std::move(checked));
-  const Prepared prepared{*library_, graph_, arrivals_, feet_, sources_};
+  const Prepared prepared{*library_, tables_, feet_, sources_};
   return Planning(prepared, scene, options).run();
 }
 

@@ -54,6 +54,14 @@ TEST(Heading, blendDividesTheShorterArc) {
   EXPECT_NEAR(quarter.angle().radians(), 0.05, 2e-4);
 }
 
+TEST(TurnFraction, risesEvenlyAsAHeadingTurnsOnce) {
+  for (int k = 0; k < 720; ++k) {
+    const double degrees = 0.5 * k;
+    EXPECT_NEAR(turnFraction(Heading::fromAngle(Angle::degrees(degrees))), degrees / 360.0, 2e-5) << degrees;
+  }
+  EXPECT_LT(turnFraction(Heading{-1e-17, 1.0}), 1.0 + 1e-5);
+}
+
 TEST(FloorTransform, composesAndInverts) {
   Random random(3);
   for (int i = 0; i < 100; ++i) {

@@ -87,6 +87,24 @@ TEST(DistanceField, pointsTowardsTheGoalAndAroundTheBlock) {
   EXPECT_EQ(field.directionToGoal({5.0, 5.0}), Vec2::Zero());
 }
 
+TEST(DistanceField, givesDistanceAndDirectionAtOnceAsItDoesApart) {
+  const Scene scene = roomWithOneBlock();
+  const FloorPlan plan(scene, kRadius);
+  const DistanceField field(plan, scene.goal.position);
+  Random random(5);
+  int compared = 0;
+  for (int i = 0; i < 500; ++i) {
+    const Vec2 point = randomPoint(random, scene);
+    const DistanceField::Sample sample = field.at(point);
+    if (!plan.isFree(point)) continue;
+    EXPECT_NEAR(sample.metres, field.metresToGoal(point), 1e-9);
+    if (plan.clearance(point) < 0.3 || sample.metres < 0.5) continue;
+    EXPECT_GT(sample.direction.dot(field.directionToGoal(point)), 0.9);
+    ++compared;
+  }
+  EXPECT_GT(compared, 100);
+}
+
 TEST(DistanceField, choosesCoarserCellsInVastRoomsAndFinerOnesForSmallDiscs) {
   EXPECT_DOUBLE_EQ(DistanceField(FloorPlan(emptyRoom(20.0, 20.0), 0.4), {5.0, 5.0}).cellMetres(), 0.1);
   EXPECT_DOUBLE_EQ(DistanceField(FloorPlan(emptyRoom(80.0, 80.0), 0.4), {5.0, 5.0}).cellMetres(), 0.2);

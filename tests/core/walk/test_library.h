@@ -35,9 +35,9 @@ inline void appendArc(MotionLibrary& library, const std::string& name, Angle tur
 }
 
 /// A library that can be checked by hand: a hip with one foot, three clips (straight on, and an eighth of a
-/// circle to either side between its nodes). In each clip, transitions of 13 frames arrive at frame 14 and
-/// leave at frame 26, from every clip to every clip: 6 nodes, 3 clip pieces, 9 transitions.
-inline MotionLibrary threeArcs() {
+/// circle, or another arc, to either side between its nodes). In each clip, transitions of 13 frames arrive
+/// at frame 14 and leave at frame 26, from every clip to every clip: 6 nodes, 3 clip pieces, 9 transitions.
+inline MotionLibrary threeArcs(Angle arc = Angle::degrees(45.0)) {
   MotionLibrary library;
   library.skeleton.joints = {{"hip", {}, {0, 0, 0}}, {"foot", JointIndex(std::size_t{0}), {0, -1, 0}}};
   const std::vector<BvhChannel> rotations = {BvhChannel::kZRotation, BvhChannel::kXRotation,
@@ -49,8 +49,8 @@ inline MotionLibrary threeArcs() {
   library.frames.jointCount = 2;
   library.contactJoints = {JointIndex(std::size_t{1})};
   appendArc(library, "straight", Angle());
-  appendArc(library, "left", Angle::degrees(45.0 / 12.0));
-  appendArc(library, "right", Angle::degrees(-45.0 / 12.0));
+  appendArc(library, "left", arc * (1.0 / 12.0));
+  appendArc(library, "right", arc * (-1.0 / 12.0));
   MotionGraph& graph = library.graph;
   for (std::uint32_t clip = 0; clip < 3; ++clip) {
     graph.nodes.emplace_back(std::size_t{clip * kClipFrames + 14});

@@ -1,0 +1,10 @@
+#include "walk/search_tables.h"
+
+namespace stridegraph {
+
+SearchTables::SearchTables(const MotionLibrary& library)
+    : graph(library),
+      arrivals(graph, WalkCost{}, library.frames.framesPerSecond, {}),
+      steering(graph, WalkCost{}, library.frames.framesPerSecond) {}
+
+}  // namespace stridegraph

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "walk/search_graph.h"
+#include "walk/walk_cost.h"
+
+namespace stridegraph {
+
+/// What it takes, beside the bare way, to get a body going: for every decision node and every direction the
+/// cost by which the cheapest walk that goes on for ever in that direction exceeds the cheapest endless
+/// straight walk of the library. It knows how dear a turn is for this node, and that transitions and time
+/// cost something on every metre, so that a search does not have to find this out anew in every room.
+///
+/// The relative value function of an average-cost decision process (Puterman 1994, section 8.2; semi-Markov,
+/// since ways differ in length), by damped value iteration. Immutable; the same on every machine.
+class SteeringTable {
+ public:
+  static constexpr std::uint32_t kSectors = 32;
+
+  SteeringTable(const SearchGraph& graph, const WalkCost& cost, double framesPerSecond);
+
+  /// Cost of the cheapest endless straight walk for each metre of progress, > 0: metres per metre.
+  double costPerMetre() const { return costPerMetre_; }
+  /// Metres of cost that going from the node in a direction takes more than that; 0 for the best of all nodes
+  /// and directions. The direction is relative to the heading of the placement at the node. Linear between
+  /// sectors.
+  double extraMetres(std::uint32_t node, const Heading& direction) const;
+
+ private:
+  static constexpr std::uint32_t kRow =
+      2 * kSectors + 1;  ///< Every row once more, to be read across its end.
+
+  friend class SteeringIteration;
+  std::vector<float> values_;  ///< nodes x kRow.
+  double costPerMetre_ = 1.0;
+};
+
+}  // namespace stridegraph
