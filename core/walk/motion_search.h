@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "path/distance_field.h"
 #include "path/floor_plan.h"
 #include "scene/scene.h"
 #include "walk/arrivals.h"
@@ -40,6 +41,8 @@ struct MotionQuery {
   /// the first. May be empty.
   std::function<bool(const MotionPath&)> accepts;
   std::function<bool()> outOfTime;  ///< Asked now and then; true ends the search. May be empty.
+  /// How far it is to the goal from anywhere, finite at the start; null where a search has to find out itself.
+  const DistanceField* field = nullptr;
 };
 
 enum class SearchStatus { kArrived, kNoMotion, kBudgetSpent };
