@@ -12,6 +12,52 @@ int indexOf(Axis axis) {
   return static_cast<int>(axis);
 }
 
+/// Cosines less 1 of half the angle between two rotations down to which their slerp is a series.
+constexpr double kFarthestInSeries = -0.1;
+
+constexpr std::size_t kMostTerms = 12;
+
+/// Of the n-th term of sineRatio() by the one before it: the factors of the squared fraction, and the rest.
+struct SineSeries {
+  std::array<double, kMostTerms + 1> bySquare{};
+  std::array<double, kMostTerms + 1> constant{};
+};
+
+constexpr SineSeries makeSineSeries() {
+  SineSeries series;
+  for (std::size_t i = 1; i <= kMostTerms; ++i) {
+    const auto n = static_cast<double>(i);
+    series.bySquare[i] = 1.0 / (n * (2.0 * n + 1.0));
+    series.constant[i] = n / (2.0 * n + 1.0);
+  }
+  return series;
+}
+
+constexpr SineSeries kSineSeries = makeSineSeries();
+
+/// Terms of sineRatio() that leave less than rounding: each is smaller by half of `lessThanOne` or more.
+std::size_t termsFor(double lessThanOne) {
+  if (lessThanOne > -0.005) return 6;
+  return lessThanOne > -0.03 ? 8 : kMostTerms;
+}
+
+/// sin(fraction a) / sin(a) for the angle a whose cosine is 1 + lessThanOne (Eberly 2011, A Fast and Accurate
+/// Algorithm for Computing SLERP).
+double sineRatio(double fraction, double lessThanOne, std::size_t terms) {
+  const double squared = fraction * fraction;
+  double sum = 1.0;
+  for (std::size_t i = terms; i > 0; --i)
+    sum = 1.0 + (kSineSeries.bySquare[i] * squared - kSineSeries.constant[i]) * lessThanOne * sum;
+  return fraction * sum;
+}
+
+/// The rotated z axis, seen from above: entries (0, 2) and (2, 2) of the rotation matrix.
+Heading headingOfUnit(const Quat& unit) {
+  const double x = 2.0 * (unit.x() * unit.z() + unit.w() * unit.y());
+  const double z = 1.0 - 2.0 * (unit.x() * unit.x() + unit.y() * unit.y());
+  return Heading::alongDirection({x, z});
+}
+
 }  // namespace
 
 Quat axisRotation(Axis axis, Angle angle) {
@@ -47,7 +93,13 @@ std::array<Angle, 3> toEuler(const EulerOrder& order, const Quat& rotation) {
 }
 
 Quat slerp(const Quat& from, const Quat& to, double fraction) {
-  return from.slerp(fraction, to).normalized();
+  const double cosine = from.dot(to);
+  const double lessThanOne = std::abs(cosine) - 1.0;
+  if (lessThanOne < kFarthestInSeries) return from.slerp(fraction, to).normalized();
+  const std::size_t terms = termsFor(lessThanOne);
+  const double atFrom = sineRatio(1.0 - fraction, lessThanOne, terms);
+  const double atTo = std::copysign(sineRatio(fraction, lessThanOne, terms), cosine);
+  return Quat(atFrom * from.coeffs() + atTo * to.coeffs()).normalized();
 }
 
 Quat fromRotationVector(const Vec3& vector) {
@@ -68,11 +120,12 @@ Angle angleBetween(const Quat& a, const Quat& b) {
 
 HeadingAndTilt separateHeading(const Quat& rotation) {
   const Quat unit = rotation.normalized();
-  // The rotated z axis, seen from above: entries (0, 2) and (2, 2) of the rotation matrix.
-  const double x = 2.0 * (unit.x() * unit.z() + unit.w() * unit.y());
-  const double z = 1.0 - 2.0 * (unit.x() * unit.x() + unit.y() * unit.y());
-  const Heading heading = Heading::alongDirection({x, z});
+  const Heading heading = headingOfUnit(unit);
   return {heading, heading.rotation().conjugate() * unit};
+}
+
+Heading headingOf(const Quat& rotation) {
+  return headingOfUnit(rotation.normalized());
 }
 
 }  // namespace stridegraph

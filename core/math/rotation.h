@@ -22,7 +22,8 @@ Quat fromEuler(const EulerOrder& order, const std::array<Angle, 3>& angles);
 /// at its ends, where the outer two turn about the same axis, the last is zero.
 std::array<Angle, 3> toEuler(const EulerOrder& order, const Quat& rotation);
 
-/// Spherical linear interpolation along the shorter arc, eq. 5.10; fraction in 0..1.
+/// Spherical linear interpolation along the shorter arc, eq. 5.10; fraction in 0..1. Rotations less than some
+/// 50 degrees apart are interpolated by a series (Eberly 2011), exact to rounding and the same everywhere.
 Quat slerp(const Quat& from, const Quat& to, double fraction);
 
 /// Axis times angle in radians (the exponential map of rotations), and back. The angle that comes back lies
@@ -39,5 +40,7 @@ struct HeadingAndTilt {
   Quat tilt;
 };
 HeadingAndTilt separateHeading(const Quat& rotation);
+/// Only the heading of it.
+Heading headingOf(const Quat& rotation);
 
 }  // namespace stridegraph

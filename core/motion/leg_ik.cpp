@@ -20,11 +20,12 @@ Vec3 bendDirection(const Vec3& thigh, const Vec3& shin, const Vec3& hint) {
   return length > 1e-12 ? Vec3(axis / length) : thigh.unitOrthogonal();
 }
 
-/// The angle between thigh and shin, 0 when straight, that puts the ankle at `distance` from the hip.
-double kneeAngle(const LegLengths& lengths, double distance) {
+/// Cosine of the angle between thigh and shin, 1 when straight, that puts the ankle at `distance` from the
+/// hip.
+double kneeCosine(const LegLengths& lengths, double distance) {
   const double cosine = (distance * distance - lengths.thigh * lengths.thigh - lengths.shin * lengths.shin) /
                         (2.0 * lengths.thigh * lengths.shin);
-  return std::acos(std::clamp(cosine, -1.0, 1.0));
+  return std::clamp(cosine, -1.0, 1.0);
 }
 
 }  // namespace
@@ -42,10 +43,15 @@ LegLengths legLengths(const Skeleton& skeleton, const Leg& leg) {
 
 double solveLeg(const Skeleton& skeleton, const Leg& leg, const AnkleTarget& target, double longestShare,
                 const Vec3& rootPosition, std::span<Quat> rotations) {
+  const JointPlacement hip = placeJoint(skeleton, {rootPosition, rotations}, leg.hip);
+  return solveLeg(skeleton, leg, target, longestShare, hip, rotations);
+}
+
+double solveLeg(const Skeleton& skeleton, const Leg& leg, const AnkleTarget& target, double longestShare,
+                const JointPlacement& hip, std::span<Quat> rotations) {
   STRIDEGRAPH_CHECK(skeleton.joints[leg.knee.value].parent == leg.hip);
   STRIDEGRAPH_CHECK(skeleton.joints[leg.ankle.value].parent == leg.knee);
   const LegLengths lengths = legLengths(skeleton, leg);
-  const JointPlacement hip = placeJoint(skeleton, {rootPosition, rotations}, leg.hip);
   const Quat kneeBefore = hip.rotation * rotations[leg.knee.value];
   const Vec3 thigh = (hip.rotation * skeleton.joints[leg.knee.value].offset) / lengths.thigh;
   const Vec3 shin = (kneeBefore * skeleton.joints[leg.ankle.value].offset) / lengths.shin;
@@ -55,8 +61,8 @@ double solveLeg(const Skeleton& skeleton, const Leg& leg, const AnkleTarget& tar
   const double distance = std::clamp(wantedDistance, std::abs(lengths.thigh - lengths.shin) + 1e-6,
                                      longestShare * lengths.whole());
   const Vec3 axis = bendDirection(thigh, shin, hip.rotation * leg.bendAxis);
-  const double angle = kneeAngle(lengths, distance);
-  const Vec3 bentShin = std::cos(angle) * thigh + std::sin(angle) * axis.cross(thigh);
+  const double cosine = kneeCosine(lengths, distance);
+  const Vec3 bentShin = cosine * thigh + std::sqrt(1.0 - cosine * cosine) * axis.cross(thigh);
 
   const Quat kneeTurn = Quat::FromTwoVectors(shin, bentShin);
   const Vec3 reached = lengths.thigh * thigh + lengths.shin * bentShin;

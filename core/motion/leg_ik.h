@@ -39,6 +39,9 @@ LegLengths legLengths(const Skeleton& skeleton, const Leg& leg);
 /// Continuous in target and pose as long as the target stays off the hip.
 double solveLeg(const Skeleton& skeleton, const Leg& leg, const AnkleTarget& target, double longestShare,
                 const Vec3& rootPosition, std::span<Quat> rotations);
+/// The same where the hip's place in the world is known.
+double solveLeg(const Skeleton& skeleton, const Leg& leg, const AnkleTarget& target, double longestShare,
+                const JointPlacement& hip, std::span<Quat> rotations);
 
 /// World rotation and place of one joint: forward kinematics along its ancestors only.
 JointPlacement placeJoint(const Skeleton& skeleton, const PoseView& pose, JointIndex joint);

@@ -1,6 +1,7 @@
 #include "motion/motion_limits.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -16,11 +17,40 @@ constexpr double kUsualShare = 0.999;
 constexpr double kStillSpeed = 0.5;          // rad/s
 constexpr double kStillAcceleration = 15.0;  // rad/s^2
 
-/// Keeps the worst of some rates of a joint; the first of them lies at frame 1.
-void keepWorst(const std::vector<double>& rates, double limit, JointIndex joint, WorstRatio& worst) {
-  for (std::size_t i = 0; i < rates.size(); ++i) {
-    if (rates[i] / limit > worst.ratio) worst = {rates[i] / limit, i + 1, joint};
-  }
+/// Factor by which bounds are widened for rounding.
+constexpr double kRoundingMargin = 1.0 + 1e-9;
+
+/// Half a turn's rotation vector, roughly: its sine part s of length |s| <= 0.5 is shorter than the vector by
+/// less than 0.19 |s|^3 (asin(x) <= x + 0.19 x^3 there). Longer ones tell nothing.
+struct HalfTurn {
+  Vec3 sine = Vec3::Zero();
+  double length = 0.0;
+  double slack = std::numeric_limits<double>::infinity();
+};
+
+HalfTurn halfTurn(const Quat& from, const Quat& to) {
+  const Quat turn = from.conjugate() * to;
+  HalfTurn half;
+  half.sine = turn.w() < 0.0 ? Vec3(-turn.vec()) : Vec3(turn.vec());
+  const double squared = half.sine.squaredNorm();
+  half.length = std::sqrt(squared);
+  if (squared <= 0.25) half.slack = 0.19 * squared * half.length;
+  return half;
+}
+
+Vec3 turnVelocity(const Clip& clip, std::size_t frame, std::size_t joint) {
+  const Quat& from = clip.rotations[frame * clip.jointCount + joint];
+  const Quat& to = clip.rotations[(frame + 1) * clip.jointCount + joint];
+  return toRotationVector(from.conjugate() * to) * clip.framesPerSecond;
+}
+
+/// Keeps the worst; of equal ones that of the first joint, and then the first frame.
+void keepWorst(double ratio, std::size_t frame, std::size_t joint, WorstRatio& worst) {
+  if (ratio < worst.ratio || ratio == 0.0) return;
+  if (ratio == worst.ratio &&
+      (joint > worst.joint.value || (joint == worst.joint.value && frame >= worst.frame)))
+    return;
+  worst = {ratio, frame, JointIndex(joint)};
 }
 
 }  // namespace
@@ -75,11 +105,24 @@ WorstRatios worstRatios(const MotionLimits& limits, const Clip& clip) {
   WorstRatios worst;
   if (clip.frameCount() == 0) return worst;
   STRIDEGRAPH_CHECK(limits.speeds.size() == clip.jointCount);
-  for (std::size_t j = 1; j < clip.jointCount; ++j) {
-    const JointIndex joint(j);
-    const TurnRates rates = turnRates(wholeOf(clip), joint);
-    keepWorst(rates.speeds, limits.speeds[j], joint, worst.speed);
-    keepWorst(rates.accelerations, limits.accelerations[j], joint, worst.acceleration);
+  const double perSecond = 2.0 * clip.framesPerSecond * kRoundingMargin;
+  std::vector<HalfTurn> before(clip.jointCount);
+  for (std::size_t f = 0; f + 1 < clip.frameCount(); ++f) {
+    const Quat* const here = clip.rotations.data() + f * clip.jointCount;
+    for (std::size_t j = 1; j < clip.jointCount; ++j) {
+      const HalfTurn half = halfTurn(here[j], here[clip.jointCount + j]);
+      // Arc tangents are taken only where a bound says that the worst may be worse.
+      if (perSecond * (half.length + half.slack) >= worst.speed.ratio * limits.speeds[j])
+        keepWorst(turnVelocity(clip, f, j).norm() / limits.speeds[j], f + 1, j, worst.speed);
+      const double change = (half.sine - before[j].sine).norm() + half.slack + before[j].slack;
+      if (f > 0 && perSecond * clip.framesPerSecond * change >=
+                       worst.acceleration.ratio * limits.accelerations[j]) {
+        const double acceleration =
+            (turnVelocity(clip, f, j) - turnVelocity(clip, f - 1, j)).norm() * clip.framesPerSecond;
+        keepWorst(acceleration / limits.accelerations[j], f, j, worst.acceleration);
+      }
+      before[j] = half;
+    }
   }
   return worst;
 }

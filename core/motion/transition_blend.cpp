@@ -47,25 +47,18 @@ double eased(BlendEase ease, double share) {
   return share * share * (3.0 - 2.0 * share);
 }
 
-/// The times at which a clip is read for every step of a blend.
-std::vector<ClipTime> timesIn(const ClipSpan& span, const TransitionBlend& blend) {
+/// The time at which a clip is read at a step of a blend.
+ClipTime timeIn(const ClipSpan& span, const TransitionBlend& blend, std::size_t step) {
   const std::size_t steps = blend.frames - 1;
   const std::size_t sourceSpan = blend.source.last - blend.source.first;
   const std::size_t targetSpan = blend.target.last - blend.target.first;
-  std::vector<ClipTime> times;
-  for (std::size_t step = 0; step <= steps; ++step) {
-    // Spans that need no warp hit frames exactly.
-    if (sourceSpan == steps && targetSpan == steps) {
-      times.push_back({span.first + step, 0.0});
-      continue;
-    }
-    const double place =
-        blendProgress(sourceSpan, targetSpan, steps, step) * static_cast<double>(span.last - span.first);
-    const auto whole = static_cast<std::size_t>(place);
-    const std::size_t frame = std::min(span.first + whole, span.last);
-    times.push_back({frame, frame == span.last ? 0.0 : place - static_cast<double>(whole)});
-  }
-  return times;
+  // Spans that need no warp hit frames exactly.
+  if (sourceSpan == steps && targetSpan == steps) return {span.first + step, 0.0};
+  const double place =
+      blendProgress(sourceSpan, targetSpan, steps, step) * static_cast<double>(span.last - span.first);
+  const auto whole = static_cast<std::size_t>(place);
+  const std::size_t frame = std::min(span.first + whole, span.last);
+  return {frame, frame == span.last ? 0.0 : place - static_cast<double>(whole)};
 }
 
 FloorTransform placementAt(const Clip& clip, const ClipTime& time) {
@@ -77,7 +70,8 @@ FloorTransform placementAt(const Clip& clip, const ClipTime& time) {
 std::vector<FloorTransform> placements(const ClipSpan& span, const TransitionBlend& blend) {
   std::vector<FloorTransform> track;
   track.reserve(blend.frames);
-  for (const ClipTime& time : timesIn(span, blend)) track.push_back(placementAt(*span.clip, time));
+  for (std::size_t step = 0; step < blend.frames; ++step)
+    track.push_back(placementAt(*span.clip, timeIn(span, blend, step)));
   return track;
 }
 
@@ -100,7 +94,7 @@ double blendProgress(std::size_t sourceSpan, std::size_t targetSpan, std::size_t
 }
 
 FloorTransform rootPlacement(const PoseView& pose) {
-  return {onFloor(pose.rootPosition), separateHeading(pose.rotations[0]).heading};
+  return {onFloor(pose.rootPosition), headingOf(pose.rotations[0])};
 }
 
 std::vector<FloorTransform> blendTrack(const TransitionBlend& blend) {
@@ -129,31 +123,33 @@ std::vector<FloorTransform> blendTrack(const TransitionBlend& blend) {
   return track;
 }
 
+BlendedPoses::BlendedPoses(const TransitionBlend& blend) : blend_(blend), track_(blendTrack(blend)) {
+  STRIDEGRAPH_CHECK(blend.target.clip->jointCount == blend.source.clip->jointCount);
+}
+
+void BlendedPoses::pose(std::size_t frame, Vec3& rootPosition, std::span<Quat> rotations) const {
+  STRIDEGRAPH_CHECK(rotations.size() == blend_.source.clip->jointCount);
+  const auto steps = static_cast<double>(blend_.frames - 1);
+  const double share = eased(blend_.params.ease, static_cast<double>(frame) / steps);
+  const Sample source{blend_.source.clip, timeIn(blend_.source, blend_, frame)};
+  const Sample target{blend_.target.clip, timeIn(blend_.target, blend_, frame)};
+  const Vec2& floor = track_[frame].translation;
+  rootPosition = {floor.x(), source.height() + (target.height() - source.height()) * share, floor.y()};
+  rotations[0] = track_[frame].heading.rotation() * slerp(source.tilt(), target.tilt(), share);
+  for (std::size_t j = 1; j < rotations.size(); ++j)
+    rotations[j] = slerp(source.joint(j), target.joint(j), share);
+}
+
 Clip blendPoses(const TransitionBlend& blend) {
-  const std::vector<FloorTransform> track = blendTrack(blend);
+  const BlendedPoses blended(blend);
   const std::size_t jointCount = blend.source.clip->jointCount;
-  STRIDEGRAPH_CHECK(blend.target.clip->jointCount == jointCount);
   Clip clip{.name = {},
             .framesPerSecond = blend.source.clip->framesPerSecond,
             .jointCount = jointCount,
-            .rootPositions = {},
-            .rotations = {}};
-  const std::size_t steps = blend.frames - 1;
-  const std::vector<ClipTime> sourceTimes = timesIn(blend.source, blend);
-  const std::vector<ClipTime> targetTimes = timesIn(blend.target, blend);
-  Pose pose;
-  pose.rotations.resize(jointCount);
-  for (std::size_t step = 0; step <= steps; ++step) {
-    const double share = eased(blend.params.ease, static_cast<double>(step) / static_cast<double>(steps));
-    const Sample source{blend.source.clip, sourceTimes[step]};
-    const Sample target{blend.target.clip, targetTimes[step]};
-    const Vec2& floor = track[step].translation;
-    pose.rootPosition = {floor.x(), source.height() + (target.height() - source.height()) * share, floor.y()};
-    pose.rotations[0] = track[step].heading.rotation() * slerp(source.tilt(), target.tilt(), share);
-    for (std::size_t j = 1; j < jointCount; ++j)
-      pose.rotations[j] = slerp(source.joint(j), target.joint(j), share);
-    clip.append(pose.view());
-  }
+            .rootPositions = std::vector<Vec3>(blend.frames),
+            .rotations = std::vector<Quat>(blend.frames * jointCount)};
+  for (std::size_t f = 0; f < blend.frames; ++f)
+    blended.pose(f, clip.rootPositions[f], clip.rotationsOf(f));
   return clip;
 }
 

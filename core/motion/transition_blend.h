@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "math/floor_transform.h"
@@ -41,6 +42,21 @@ struct TransitionBlend {
 /// target's last frame as to joints, tilt and height, placed on the floor where the blended steps lead.
 /// Joints and the root's tilt are slerped (eq. 5.10), its height is interpolated linearly.
 Clip blendPoses(const TransitionBlend& blend);
+
+/// A blend whose root has been laid out and whose poses are made one by one.
+class BlendedPoses {
+ public:
+  explicit BlendedPoses(const TransitionBlend& blend);
+
+  /// blendTrack() of it.
+  const std::vector<FloorTransform>& track() const { return track_; }
+  /// Writes the pose of a frame as in blendPoses(); `rotations` has one for each joint.
+  void pose(std::size_t frame, Vec3& rootPosition, std::span<Quat> rotations) const;
+
+ private:
+  TransitionBlend blend_;
+  std::vector<FloorTransform> track_;
+};
 
 /// Only where the root goes: floor point and heading at each frame, in the source's world. Exactly the
 /// placements of blendPoses(), by additions, products and square roots alone: the same bits on every machine.

@@ -43,6 +43,11 @@ class DistanceField {
   };
   Sample at(const Vec2& point) const;
 
+  /// Middles of cells from the point's to the goal's, each next to the one before and nearer to the goal: a
+  /// way for the eye, not for the disc. Empty where the distance is infinite.
+  std::vector<Vec2> cellsToGoal(const Vec2& point) const;
+
+  const Vec2& goal() const { return goal_; }
   double cellMetres() const { return cellMetres_; }
   std::size_t cellCount() const { return values_.size(); }
 
@@ -61,6 +66,7 @@ class DistanceField {
   void seedAroundGoal(const FloorPlan& plan, double exactRadiusMetres, Marching& marching);
   void march(Marching& marching);
   double nearbyMetres(const Vec2& point, int reach) const;
+  std::size_t lowestAround(std::size_t cell, std::size_t reach) const;
 
   Vec2 goal_;
   double cellMetres_;

@@ -67,12 +67,21 @@ PathResult planPath(const FloorPlan& plan, const Vec2& start, const Vec2& goal, 
   }
   if (!isConnected(plan, start, goal)) return result;
   Random random(seed);
-  SampledPath sampled = planner == PlannerKind::kPrm ? planByRoadmap(plan, start, goal, random, params)
-                                                     : planByTrees(plan, start, goal, random, params);
+  SampledPath sampled;
+  if (planner == PlannerKind::kPrm && params.roadmapNodes == 0) {
+    auto field = std::make_shared<const DistanceField>(plan, goal);
+    if (std::isfinite(field->metresToGoal(start))) result.field = std::move(field);
+    if (result.field) sampled = planAlongField(plan, start, *result.field, random);
+  }
+  if (planner == PlannerKind::kPrm && sampled.path.empty())
+    sampled = planByRoadmap(plan, start, goal, random, params);
   // A roadmap that misses a narrow way is rescued by trees, which grow into it; the exact path takes seconds
   // where there are thousands of rectangles.
-  if (sampled.path.empty() && planner == PlannerKind::kPrm)
-    sampled.path = planByTrees(plan, start, goal, random, params).path;
+  if (sampled.path.empty()) {
+    SampledPath grown = planByTrees(plan, start, goal, random, params);
+    if (planner == PlannerKind::kPrm) grown.edges = std::move(sampled.edges);
+    sampled = std::move(grown);
+  }
   result.roadmapEdges = std::move(sampled.edges);
   if (!sampled.path.empty()) {
     result.path = refined(plan, sampled.path, params.shortcutRounds, random);

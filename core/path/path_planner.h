@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "math/types.h"
+#include "path/distance_field.h"
 #include "path/floor_plan.h"
 
 namespace stridegraph {
@@ -29,12 +31,15 @@ struct PathResult {
   double lengthMetres = 0.0;  ///< Of the path.
   std::vector<std::pair<Vec2, Vec2>> roadmapEdges;  ///< Of the roadmap or of both trees, for showing.
   bool usedShortestPath = false;  ///< The sampling planner gave up, and the exact path stands in.
+  /// How far it is to the goal from anywhere, where that was found out on the way; finite at the start.
+  std::shared_ptr<const DistanceField> field;
 };
 
 /// What may be asked of the planners. Values out of range are clamped.
 struct PathParams {
-  /// Nodes of the first roadmap, 10..100,000; 0 chooses five for every 2 m2, 500 to 100,000 (the thesis draws
-  /// 200 in rooms of some 30 m; nodes that are never looked at cost next to nothing).
+  /// Nodes of the first roadmap, anywhere in the room, 10..100,000 (the thesis draws 200 in rooms of some
+  /// 30 m). 0 draws them where the distance field says that the way leads (see planAlongField); should they
+  /// miss it, five for every 2 m2 of the room, 500 to 100,000.
   std::size_t roadmapNodes = 0;
   /// Neighbours that each node has on average, 1..100 (Kavraki et al. 1996 use 30 in many dimensions; on a
   /// floor 10 leave no gaps worth another node).

@@ -52,15 +52,32 @@ void addNodes(const FloorPlan& plan, std::size_t count, const std::vector<std::u
   }
 }
 
+/// Draws `count` places around a way, and adds those that are free.
+void addNodesAlong(const FloorPlan& plan, const std::vector<Vec2>& way, std::size_t count, PointGrid& nodes,
+                   Random& random) {
+  constexpr double kFarthestMetres = 1.5;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec2 around = way[random.below(way.size())];
+    const double share = random.uniform();
+    const double reach = kFarthestMetres * share * share;
+    const double x = around.x() + random.uniform(-reach, reach);
+    const Vec2 point(x, around.y() + random.uniform(-reach, reach));
+    if (plan.isFree(point)) nodes.add(point);
+  }
+}
+
 /// The roadmap as it is looked at: neighbours of a node, and whether they see each other, are only found out
 /// where the search for the shortest way comes by (lazy PRM, Bohlin and Kavraki 2000).
 class LazyRoadmap {
  public:
-  /// Nodes nearer than `reachMetres` to each other are neighbours.
-  LazyRoadmap(const FloorPlan& plan, const PointGrid& nodes, double reachMetres)
+  /// Nodes nearer than `reachMetres` to each other are neighbours. With a field, its distances lead the
+  /// search; else straight lines do.
+  LazyRoadmap(const FloorPlan& plan, const PointGrid& nodes, double reachMetres,
+              const DistanceField* field = nullptr)
       : plan_(plan),
         nodes_(nodes),
         reachMetres_(reachMetres),
+        field_(field),
         metres_(count(), kFar),
         parents_(count(), kNone) {
     for (const std::uint32_t end : {kStart, kGoal}) nearEnds_[end] = visibleFrom(end);
@@ -127,7 +144,10 @@ class LazyRoadmap {
 
   /// From one node to another, or to the nearest `most` that are joined to it.
   void expandAll(std::uint32_t from, std::uint32_t to, std::size_t most) {
-    const auto toGo = [&](std::uint32_t node) { return to == kNone ? 0.0 : (at(node) - at(to)).norm(); };
+    const auto toGo = [&](std::uint32_t node) {
+      if (to == kNone) return 0.0;
+      return field_ != nullptr ? field_->metresToGoal(at(node)) : kWeight * (at(node) - at(to)).norm();
+    };
     std::vector<bool> done(count(), false);
     std::vector<std::pair<double, std::uint32_t>> heap = {{toGo(from), from}};
     metres_[from] = 0.0;
@@ -146,7 +166,7 @@ class LazyRoadmap {
         seen_.emplace_back(std::min(node, next), std::max(node, next));
         metres_[next] = through;
         parents_[next] = node;
-        heap.emplace_back(through + kWeight * toGo(next), next);
+        heap.emplace_back(through + toGo(next), next);
         std::push_heap(heap.begin(), heap.end(), std::greater<>());
       }
     }
@@ -155,6 +175,7 @@ class LazyRoadmap {
   const FloorPlan& plan_;
   const PointGrid& nodes_;
   double reachMetres_;
+  const DistanceField* field_;
   std::array<std::vector<std::uint32_t>, 2> nearEnds_;
   std::vector<double> metres_;
   std::vector<std::uint32_t> parents_;
@@ -230,6 +251,28 @@ class GrowingRoadmap {
 };
 
 }  // namespace
+
+SampledPath planAlongField(const FloorPlan& plan, const Vec2& start, const DistanceField& field,
+                           Random& random) {
+  constexpr double kNodesPerMetre = 6.0;
+  constexpr std::size_t kLeastNodes = 100;
+  constexpr double kReachMetres = 1.5;
+  constexpr int kRounds = 3;
+  const std::vector<Vec2> way = field.cellsToGoal(start);
+  if (way.empty()) return {};
+  PointGrid nodes({plan.widthMetres(), plan.depthMetres()}, kReachMetres);
+  nodes.add(start);
+  nodes.add(field.goal());
+  SampledPath result;
+  for (int round = 0; round < kRounds && result.path.empty(); ++round) {
+    const double count = kNodesPerMetre * static_cast<double>(way.size()) * field.cellMetres();
+    addNodesAlong(plan, way, std::max(kLeastNodes, static_cast<std::size_t>(count)), nodes, random);
+    LazyRoadmap roadmap(plan, nodes, kReachMetres, &field);
+    result.path = roadmap.shortest();
+    result.edges = roadmap.edges();
+  }
+  return result;
+}
 
 SampledPath planByRoadmap(const FloorPlan& plan, const Vec2& start, const Vec2& goal, Random& random,
                           const PathParams& params) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "path/distance_field.h"
 #include "path/path_planner.h"
 #include "path/sampled_path.h"
 
@@ -12,5 +13,12 @@ namespace stridegraph {
 /// smaller of the parts that hold start and goal. Both ends must be free.
 SampledPath planByRoadmap(const FloorPlan& plan, const Vec2& start, const Vec2& goal, Random& random,
                           const PathParams& params);
+
+/// Plans by a roadmap whose nodes are drawn around the cells that a distance field leads over from the start
+/// to its goal, the more of them the nearer (sampling guided by the workspace: Kurniawati and Hsu 2004); A*
+/// with the field as cost-to-go. So few nodes find the way that the size of the room does not matter. The
+/// start must be free, and the distance there finite. No path when the nodes miss the way.
+SampledPath planAlongField(const FloorPlan& plan, const Vec2& start, const DistanceField& field,
+                           Random& random);
 
 }  // namespace stridegraph

@@ -17,16 +17,29 @@ struct PathPlace {
   Vec2 point = Vec2::Zero();
 };
 
-PathPlace placeAt(const std::vector<Vec2>& path, double lengthMetres) {
-  double left = lengthMetres;
-  for (std::size_t i = 1; i < path.size(); ++i) {
-    const Vec2 along = path[i] - path[i - 1];
-    const double length = along.norm();
-    if (left < length) return {i, path[i - 1] + (left / length) * along};
-    left -= length;
+/// A path with the way gone at each of its points.
+class MeasuredPath {
+ public:
+  explicit MeasuredPath(std::vector<Vec2> points) : points_(std::move(points)), gone_(points_.size(), 0.0) {
+    for (std::size_t i = 1; i < points_.size(); ++i)
+      gone_[i] = gone_[i - 1] + (points_[i] - points_[i - 1]).norm();
   }
-  return {path.size() - 1, path.back()};
-}
+
+  const std::vector<Vec2>& points() const { return points_; }
+  double lengthMetres() const { return gone_.back(); }
+
+  PathPlace placeAt(double metres) const {
+    const auto after = std::upper_bound(gone_.begin(), gone_.end(), metres);
+    if (after == gone_.end()) return {points_.size() - 1, points_.back()};
+    const auto next = static_cast<std::size_t>(after - gone_.begin());
+    const double share = (metres - gone_[next - 1]) / (gone_[next] - gone_[next - 1]);
+    return {next, points_[next - 1] + share * (points_[next] - points_[next - 1])};
+  }
+
+ private:
+  std::vector<Vec2> points_;
+  std::vector<double> gone_;
+};
 
 /// Leaves out points whose neighbours see each other, from the start on.
 std::vector<Vec2> withoutNeedlessPoints(const FloorPlan& plan, const std::vector<Vec2>& path) {
@@ -42,14 +55,16 @@ std::vector<Vec2> withoutNeedlessPoints(const FloorPlan& plan, const std::vector
 
 std::vector<Vec2> shortcut(const FloorPlan& plan, std::span<const Vec2> path, std::size_t rounds,
                            Random& random) {
-  std::vector<Vec2> points = withoutRepeats(path);
-  for (std::size_t round = 0; round < rounds && points.size() > 2; ++round) {
-    const double length = polylineLength(points);
+  MeasuredPath measured(withoutRepeats(path));
+  if (measured.points().size() > 2) measured = MeasuredPath(withoutNeedlessPoints(plan, measured.points()));
+  for (std::size_t round = 0; round < rounds && measured.points().size() > 2; ++round) {
+    const std::vector<Vec2>& points = measured.points();
+    const double length = measured.lengthMetres();
     const double first = random.uniform(0.0, length);
     const double second =
         std::clamp(first + random.uniform(-kLongestCutMetres, kLongestCutMetres), 0.0, length);
-    const PathPlace from = placeAt(points, std::min(first, second));
-    const PathPlace to = placeAt(points, std::max(first, second));
+    const PathPlace from = measured.placeAt(std::min(first, second));
+    const PathPlace to = measured.placeAt(std::max(first, second));
     if (from.next == to.next || !plan.isFree(from.point, to.point)) continue;
     // The cut pieces of the old segments are free in theory; rounding must not say otherwise.
     if (!plan.isFree(points[from.next - 1], from.point) || !plan.isFree(to.point, points[to.next])) continue;
@@ -57,8 +72,9 @@ std::vector<Vec2> shortcut(const FloorPlan& plan, std::span<const Vec2> path, st
     cut.push_back(from.point);
     cut.push_back(to.point);
     cut.insert(cut.end(), points.begin() + static_cast<std::ptrdiff_t>(to.next), points.end());
-    points = withoutRepeats(cut);
+    measured = MeasuredPath(withoutRepeats(cut));
   }
+  const std::vector<Vec2>& points = measured.points();
   return points.size() > 2 ? withoutNeedlessPoints(plan, points) : points;
 }
 

@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -23,117 +24,131 @@ struct StepChange {
   double turnPerMetre = 0.0;  ///< rad
 };
 
+/// A step of the way's end that may change.
+struct BentStep {
+  FloorTransform step;  ///< From the frame before, as it was.
+  double metres = 0.0;
+  double weight = 0.0;  ///< 0..1, grows smoothly with the way gone since the bending began.
+  StepChange change;
+};
+
 /// The root's way over the floor, its end to be bent.
 class Bending {
  public:
   Bending(std::span<const FloorTransform> way, const Placement& goal, const ArrivalWarpParams& params)
-      : goal_(goal), params_(params), original_(way.begin(), way.end()) {}
+      : way_(way), goal_(goal), params_(params) {}
 
-  bool isExact(const std::vector<FloorTransform>& way) const {
-    const Eigen::Vector3d rest = restOf(way);
+  bool isExact(const FloorTransform& end) const {
+    const Eigen::Vector3d rest = restOf(end);
     return rest.head<2>().norm() <= params_.exactMetres && std::abs(rest.z()) <= params_.exactTurn.radians();
   }
 
   /// The way with its last `metres` bent; nothing when that takes more than the limits allow.
   std::optional<std::vector<FloorTransform>> bend(double metres) {
-    weigh(metres);
-    changes_.assign(lengths_.size(), {});
-    std::vector<FloorTransform> way = original_;
-    for (int i = 0; i < kMostSteps && !isExact(way); ++i) {
-      improve(way);
-      way = changedWay();
+    takeSteps(metres);
+    std::vector<FloorTransform> end(way_.end() - static_cast<std::ptrdiff_t>(steps_.size() + 1), way_.end());
+    for (int i = 0; i < kMostSteps && !isExact(end.back()); ++i) {
+      improve(end);
+      layOut(end);
     }
-    if (!isExact(way) || largest().stretch > params_.stretch ||
+    if (!isExact(end.back()) || largest().stretch > params_.stretch ||
         largest().turnPerMetre > params_.turnPerMetre.radians())
       return std::nullopt;
-    return way;
+    std::vector<FloorTransform> bent(way_.begin(), way_.end());
+    std::copy(end.begin(), end.end(), bent.end() - static_cast<std::ptrdiff_t>(end.size()));
+    return bent;
   }
 
   /// The largest changes of either kind.
   StepChange largest() const {
     StepChange most;
-    for (const StepChange& change : changes_) {
-      most.stretch = std::max(most.stretch, std::abs(change.stretch));
-      most.turnPerMetre = std::max(most.turnPerMetre, std::abs(change.turnPerMetre));
+    for (const BentStep& bent : steps_) {
+      most.stretch = std::max(most.stretch, std::abs(bent.change.stretch));
+      most.turnPerMetre = std::max(most.turnPerMetre, std::abs(bent.change.turnPerMetre));
     }
     return most;
   }
 
  private:
   /// What is missing at the way's end: x, z, and the turn (0 where the goal has no heading).
-  Eigen::Vector3d restOf(const std::vector<FloorTransform>& way) const {
-    const Vec2 missing = goal_.position - way.back().translation;
+  Eigen::Vector3d restOf(const FloorTransform& end) const {
+    const Vec2 missing = goal_.position - end.translation;
     double turn = 0.0;
-    if (goal_.heading) {
-      turn = (Heading::fromAngle(*goal_.heading) - way.back().heading).angle().radians();
-    }
+    if (goal_.heading) turn = (Heading::fromAngle(*goal_.heading) - end.heading).angle().radians();
     return {missing.x(), missing.y(), turn};
   }
 
-  /// Step lengths, and weights that grow smoothly with the way gone since the bending began.
-  void weigh(double metres) {
-    const std::size_t steps = original_.size() - 1;
-    lengths_.assign(steps, 0.0);
-    weights_.assign(steps, 0.0);
+  /// The last steps, `metres` long together or all there are.
+  void takeSteps(double metres) {
+    std::size_t first = way_.size() - 1;
     double whole = 0.0;
-    for (std::size_t k = steps; k-- > 0;) {
-      lengths_[k] = (original_[k + 1].translation - original_[k].translation).norm();
-      whole += lengths_[k];
+    while (first > 0 && whole < metres) {
+      --first;
+      whole += (way_[first + 1].translation - way_[first].translation).norm();
     }
+    steps_.assign(way_.size() - 1 - first, {});
     const double begin = std::max(0.0, whole - metres);
     const double growing = kGrowingShare * (whole - begin);
     double gone = 0.0;
-    for (std::size_t k = 0; k < steps; ++k) {
-      gone += lengths_[k];
+    for (std::size_t k = 0; k < steps_.size(); ++k) {
+      const FloorTransform& before = way_[first + k];
+      steps_[k].step = before.inverse() * way_[first + k + 1];
+      steps_[k].metres = (way_[first + k + 1].translation - before.translation).norm();
+      gone += steps_[k].metres;
       if (gone <= begin || growing <= 0.0) continue;
       const double share = std::min(1.0, (gone - begin) / growing);
-      weights_[k] = share * share * (3.0 - 2.0 * share);
+      steps_[k].weight = share * share * (3.0 - 2.0 * share);
     }
+  }
+
+  /// What a step's stretch and turn do to the rest, to first order.
+  struct Effects {
+    Eigen::Vector3d ofStretch = Eigen::Vector3d::Zero();
+    Eigen::Vector3d ofTurn = Eigen::Vector3d::Zero();
+  };
+  Effects effectsOf(const std::vector<FloorTransform>& end, std::size_t k) const {
+    if (steps_[k].weight == 0.0 || steps_[k].metres == 0.0) return {};
+    const Vec2 along = (end[k + 1].translation - end[k].translation) / steps_[k].metres;
+    const Vec2 ahead = end.back().translation - end[k].translation;
+    return {{along.x(), along.y(), 0.0}, {ahead.y(), -ahead.x(), goal_.heading ? 1.0 : 0.0}};
   }
 
   /// One step of Newton's method: the changes of least norm that make up for what is missing, to first order.
-  void improve(const std::vector<FloorTransform>& way) {
-    using Row = Eigen::Vector3d;
+  void improve(const std::vector<FloorTransform>& end) {
     const double stretchUnit = params_.stretch * params_.stretch;
     const double turnUnit = params_.turnPerMetre.radians() * params_.turnPerMetre.radians();
-    std::vector<Row> byStretch(lengths_.size(), Row::Zero());
-    std::vector<Row> byTurn(lengths_.size(), Row::Zero());
     Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-    for (std::size_t k = 0; k < lengths_.size(); ++k) {
-      if (weights_[k] == 0.0 || lengths_[k] == 0.0) continue;
-      const Vec2 along = (way[k + 1].translation - way[k].translation) / lengths_[k];
-      const Vec2 ahead = way.back().translation - way[k].translation;
-      byStretch[k] = {along.x(), along.y(), 0.0};
-      byTurn[k] = {ahead.y(), -ahead.x(), goal_.heading ? 1.0 : 0.0};
-      const double weight = weights_[k] * lengths_[k];
-      normal += weight * (stretchUnit * byStretch[k] * byStretch[k].transpose() +
-                          turnUnit * byTurn[k] * byTurn[k].transpose());
+    for (std::size_t k = 0; k < steps_.size(); ++k) {
+      const Effects effects = effectsOf(end, k);
+      const double weight = steps_[k].weight * steps_[k].metres;
+      normal += weight * (stretchUnit * effects.ofStretch * effects.ofStretch.transpose() +
+                          turnUnit * effects.ofTurn * effects.ofTurn.transpose());
     }
     if (!goal_.heading) normal(2, 2) = 1.0;
-    const Row shares = normal.fullPivLu().solve(restOf(way));
-    for (std::size_t k = 0; k < lengths_.size(); ++k) {
-      changes_[k].stretch += weights_[k] * stretchUnit * byStretch[k].dot(shares);
-      changes_[k].turnPerMetre += weights_[k] * turnUnit * byTurn[k].dot(shares);
+    const Eigen::Vector3d shares = normal.fullPivLu().solve(restOf(end.back()));
+    for (std::size_t k = 0; k < steps_.size(); ++k) {
+      const Effects effects = effectsOf(end, k);
+      steps_[k].change.stretch += steps_[k].weight * stretchUnit * effects.ofStretch.dot(shares);
+      steps_[k].change.turnPerMetre += steps_[k].weight * turnUnit * effects.ofTurn.dot(shares);
     }
   }
 
-  std::vector<FloorTransform> changedWay() const {
-    std::vector<FloorTransform> way = {original_.front()};
-    for (std::size_t k = 0; k < lengths_.size(); ++k) {
-      FloorTransform step = original_[k].inverse() * original_[k + 1];
-      step.translation *= 1.0 + changes_[k].stretch;
+  /// Lays the end out as changed, from its first frame on.
+  void layOut(std::vector<FloorTransform>& end) const {
+    for (std::size_t k = 0; k < steps_.size(); ++k) {
+      const BentStep& bent = steps_[k];
+      FloorTransform step = bent.step;
+      step.translation *= 1.0 + bent.change.stretch;
       // The turn comes first, so that it bends this step too.
-      const Heading turn = Heading::fromAngle(Angle::radians(changes_[k].turnPerMetre * lengths_[k]));
-      way.push_back(way.back() * FloorTransform{Vec2::Zero(), turn} * step);
+      const Heading turn = Heading::fromAngle(Angle::radians(bent.change.turnPerMetre * bent.metres));
+      end[k + 1] = end[k] * FloorTransform{Vec2::Zero(), turn} * step;
     }
-    return way;
   }
 
+  std::span<const FloorTransform> way_;
   const Placement& goal_;
   const ArrivalWarpParams& params_;
-  std::vector<FloorTransform> original_;
-  std::vector<double> lengths_, weights_;  ///< For each step.
-  std::vector<StepChange> changes_;
+  std::vector<BentStep> steps_;
 };
 
 bool isFree(const FloorPlan& plan, const std::vector<FloorTransform>& way) {
@@ -146,8 +161,7 @@ bool isFree(const FloorPlan& plan, const std::vector<FloorTransform>& way) {
 std::optional<BentWay> bendToGoal(std::span<const FloorTransform> way, const Placement& goal,
                                   const FloorPlan& plan, const ArrivalWarpParams& params) {
   Bending bending(way, goal, params);
-  std::vector<FloorTransform> unbent(way.begin(), way.end());
-  if (bending.isExact(unbent)) return BentWay{std::move(unbent), {}};
+  if (bending.isExact(way.back())) return BentWay{{way.begin(), way.end()}, {}};
   for (const double metres : kLengthsMetres) {
     std::optional<std::vector<FloorTransform>> bent = bending.bend(metres);
     if (!bent || !isFree(plan, *bent)) continue;
@@ -158,7 +172,11 @@ std::optional<BentWay> bendToGoal(std::span<const FloorTransform> way, const Pla
 }
 
 void moveRoots(std::span<const FloorTransform> from, std::span<const FloorTransform> to, Clip& walk) {
+  const auto isSame = [](const FloorTransform& a, const FloorTransform& b) {
+    return a.translation == b.translation && a.heading.sin == b.heading.sin && a.heading.cos == b.heading.cos;
+  };
   for (std::size_t f = 0; f < walk.frameCount(); ++f) {
+    if (isSame(from[f], to[f])) continue;
     const Heading turn = to[f].heading - from[f].heading;
     Vec3& root = walk.rootPositions[f];
     root = {to[f].translation.x(), root.y(), to[f].translation.y()};

@@ -51,22 +51,37 @@ double bell(double offset) {
   return rest > 0.0 ? rest * rest : 0.0;
 }
 
-struct BellSums {
-  double values = 0.0;
-  double weights = 0.0;
+/// The bell at offsets of 0..reach frames.
+std::vector<double> bellOver(std::size_t reach) {
+  std::vector<double> values(reach + 1);
+  for (std::size_t away = 0; away <= reach; ++away)
+    values[away] = bell(static_cast<double>(away) / static_cast<double>(reach + 1));
+  return values;
+}
+
+/// Frames around one.
+struct FrameRange {
+  std::size_t first = 0;
+  std::size_t end = 0;
 };
 
-/// Weighted sums over the frames within reach of one, which count for less the farther they are.
-BellSums sumsAround(std::size_t frame, std::span<const double> values, std::span<const double> weights,
-                    std::size_t reach) {
-  BellSums sums;
-  for (std::size_t g = frame - std::min(frame, reach); g < std::min(values.size(), frame + reach + 1); ++g) {
-    const double offset =
-        (static_cast<double>(g) - static_cast<double>(frame)) / static_cast<double>(reach + 1);
-    sums.values += bell(offset) * weights[g] * values[g];
-    sums.weights += bell(offset) * weights[g];
+FrameRange around(std::size_t frame, std::size_t reach, std::size_t count) {
+  return {frame - std::min(frame, reach), std::min(count, frame + reach + 1)};
+}
+
+std::size_t away(std::size_t a, std::size_t b) {
+  return a < b ? b - a : a - b;
+}
+
+/// Calls visit(frame) for every frame within reach of one for which holds(frame).
+template <typename Holds, typename Visit>
+void visitNear(std::size_t count, std::size_t reach, const Holds& holds, const Visit& visit) {
+  std::size_t next = 0;
+  for (std::size_t f = 0; f < count; ++f) {
+    if (!holds(f)) continue;
+    const FrameRange range = around(f, reach, count);
+    for (next = std::max(next, range.first); next < range.end; ++next) visit(next);
   }
-  return sums;
 }
 
 }  // namespace
@@ -102,16 +117,27 @@ std::vector<FootCorrection> carryCorrections(std::span<const PinnedStance> stanc
 
 std::vector<double> smoothEnvelope(std::span<const double> values, std::size_t reach) {
   const std::size_t count = values.size();
+  const std::vector<double> bells = bellOver(reach);
   std::vector<double> largest(count, 0.0);
-  for (std::size_t f = 0; f < count; ++f)
-    for (std::size_t g = f - std::min(f, reach); g < std::min(count, f + reach + 1); ++g)
-      largest[f] = std::max(largest[f], values[g]);
-  const std::vector<double> even(count, 1.0);
   std::vector<double> result(count, 0.0);
-  for (std::size_t f = 0; f < count; ++f) {
-    const BellSums sums = sumsAround(f, largest, even, reach);
-    result[f] = sums.values / sums.weights;
-  }
+  visitNear(
+      count, reach, [&](std::size_t f) { return values[f] > 0.0; },
+      [&](std::size_t f) {
+        const FrameRange range = around(f, reach, count);
+        for (std::size_t g = range.first; g < range.end; ++g) largest[f] = std::max(largest[f], values[g]);
+      });
+  visitNear(
+      count, reach, [&](std::size_t f) { return largest[f] > 0.0; },
+      [&](std::size_t f) {
+        const FrameRange range = around(f, reach, count);
+        double sum = 0.0;
+        double weights = 0.0;
+        for (std::size_t g = range.first; g < range.end; ++g) {
+          sum += bells[away(f, g)] * largest[g];
+          weights += bells[away(f, g)];
+        }
+        result[f] = sum / weights;
+      });
   return result;
 }
 
@@ -119,11 +145,22 @@ std::vector<double> smoothMean(std::span<const double> values, std::span<const d
                                std::size_t reach) {
   // So much that a single frame at the rim of the reach counts for little.
   constexpr double kNothing = 0.5;
-  std::vector<double> result(values.size(), 0.0);
-  for (std::size_t f = 0; f < result.size(); ++f) {
-    const BellSums sums = sumsAround(f, values, weights, reach);
-    if (sums.weights > 0.0) result[f] = sums.values / (sums.weights + kNothing);
-  }
+  const std::size_t count = values.size();
+  const std::vector<double> bells = bellOver(reach);
+  std::vector<double> result(count, 0.0);
+  visitNear(
+      count, reach, [&](std::size_t f) { return weights[f] > 0.0; },
+      [&](std::size_t f) {
+        const FrameRange range = around(f, reach, count);
+        double sum = 0.0;
+        double weightSum = 0.0;
+        for (std::size_t g = range.first; g < range.end; ++g) {
+          const double weight = bells[away(f, g)] * weights[g];
+          sum += weight * values[g];
+          weightSum += weight;
+        }
+        result[f] = sum / (weightSum + kNothing);
+      });
   return result;
 }
 

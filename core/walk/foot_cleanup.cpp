@@ -107,16 +107,18 @@ std::vector<double> rootLowering(const std::vector<FootAtWork>& feet, const std:
   return smoothEnvelope(lowering, framesIn(kLoweringSeconds, clip));
 }
 
-/// Brings the foot where it should be.
-void solveFrame(const Skeleton& skeleton, const FootAtWork& foot, std::size_t frame, Clip& clip) {
+/// Brings the foot where it should be under a root that has risen.
+void solveFrame(const Skeleton& skeleton, const FootAtWork& foot, std::size_t frame, double rootRise,
+                Clip& clip) {
   const FootCorrection& correction = foot.corrections[frame];
   const JointPlacement& ankle = foot.track.ankles[frame];
   const Quat pitch(Eigen::AngleAxisd(correction[4], foot.foot.sideInAnkle));
   const AnkleTarget target{ankle.position + correction.head<3>(),
                            yawTurn(correction[3]) * ankle.rotation * pitch};
   const double longestShare = foot.reach[frame] / foot.foot.legMetres;
-  solveLeg(skeleton, foot.foot.leg, target, std::min(1.0, longestShare), clip.rootPositions[frame],
-           clip.rotationsOf(frame));
+  const JointPlacement hip{foot.track.hipRotations[frame],
+                           foot.track.hips[frame] + Vec3(0.0, rootRise, 0.0)};
+  solveLeg(skeleton, foot.foot.leg, target, std::min(1.0, longestShare), hip, clip.rotationsOf(frame));
 }
 
 void count(const FootAtWork& foot, FootCleanupReport& report, std::size_t& frames) {
@@ -174,7 +176,7 @@ FootCleanupReport FootCleanup::apply(const MotionLibrary& library, SynthesisedWa
     if (rises[f] != 0.0) clip.rootPositions[f].y() += rises[f];
     for (const FootAtWork& foot : feet)
       if (rises[f] != 0.0 || foot.corrections[f] != FootCorrection::Zero())
-        solveFrame(library.skeleton, foot, f, clip);
+        solveFrame(library.skeleton, foot, f, rises[f], clip);
   }
   return report;
 }

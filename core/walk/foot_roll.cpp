@@ -52,13 +52,14 @@ void rollOverToes(const FootTrack& track, const WalkFoot& foot, std::span<const 
       weights += track.holds[k][f];
     }
     if (weights == 0.0) continue;
+    const double legInClip = (ankle - track.hips[f]).norm();
+    const double share = ramp(legInClip / foot.legMetres, kBentLeg, kStraightLeg) *
+                         ramp(kHeelHold - track.holds[0][f], 0.0, kHeelHold);
+    if (share == 0.0) continue;
     pivot /= weights;  // From the ankle.
     const Vec3 place = ankle + correction.head<3>();
     const Vec3 hip = track.hips[f] + Vec3(0.0, hipRisesMetres[f], 0.0);
     const Vec3 side = yaw * track.ankles[f].rotation * foot.sideInAnkle;
-    const double legInClip = (ankle - track.hips[f]).norm();
-    const double share = ramp(legInClip / foot.legMetres, kBentLeg, kStraightLeg) *
-                         ramp(kHeelHold - track.holds[0][f], 0.0, kHeelHold);
     const double pitch = share * pitchFor(-pivot, hip - place - pivot, side, legInClip);
     correction.head<3>() += pivot - Eigen::AngleAxisd(pitch, side) * pivot;
     correction[4] = pitch;

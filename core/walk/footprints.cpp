@@ -1,6 +1,8 @@
 #include "walk/footprints.h"
 
+#include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -12,6 +14,9 @@ namespace {
 
 /// Rounds in which footprints and corrections settle: millimetres become micrometres.
 constexpr int kSettlingRounds = 30;
+
+/// ContactMask has so many bits.
+constexpr std::size_t kMostContacts = 8;
 
 double largestHold(const FootTrack& track, std::size_t frame) {
   double largest = 0.0;
@@ -53,60 +58,99 @@ std::vector<double> yawCorrections(const FootTrack& track, const FootStance& sta
   return turns;
 }
 
-/// Where a contact joint is over the floor once the foot has been turned about its ankle.
-Vec2 turnedPoint(const FootTrack& track, std::size_t point, std::size_t frame, double turn) {
-  const Vec2 ankle = onFloor(track.ankles[frame].position);
-  const Heading heading = Heading::fromAngle(Angle::radians(turn));
-  return ankle + heading.rotate(onFloor(track.points[point][frame]) - ankle);
+/// Of one frame of a stance, the contact joints' places over the floor once the foot has been turned about
+/// its ankle, and how much they hold.
+struct TurnedFoot {
+  std::array<Vec2, kMostContacts> places;
+  std::array<double, kMostContacts> holds;
+  double holdSum = 0.0;
+};
+
+std::vector<TurnedFoot> turnedFeet(const FootTrack& track, const FootStance& stance,
+                                   const std::vector<double>& turns) {
+  std::vector<TurnedFoot> feet(turns.size());
+  for (std::size_t i = 0; i < turns.size(); ++i) {
+    const std::size_t frame = stance.first + i;
+    const Vec2 ankle = onFloor(track.ankles[frame].position);
+    const Heading heading = Heading::fromAngle(Angle::radians(turns[i]));
+    for (std::size_t k = 0; k < track.points.size(); ++k) {
+      feet[i].places[k] = ankle + heading.rotate(onFloor(track.points[k][frame]) - ankle);
+      feet[i].holds[k] = track.holds[k][frame];
+      feet[i].holdSum += feet[i].holds[k];
+    }
+  }
+  return feet;
 }
 
-/// The stance at hand, with the contact joints' places after turning.
-struct Fit {
-  const FootTrack& track;
-  const FootStance& stance;
-  std::vector<std::vector<Vec2>> places;  ///< Contact joint by frame of the stance.
-  std::vector<Vec2> shifts;               ///< For each frame of the stance.
+/// Mean of points by how much they hold; zero when none does.
+template <typename PointOf>
+Vec2 meanByHold(const TurnedFoot& foot, std::size_t contacts, const PointOf& pointOf) {
+  Vec2 sum = Vec2::Zero();
+  for (std::size_t k = 0; k < contacts; ++k) sum += foot.holds[k] * pointOf(k);
+  return sum / foot.holdSum;
+}
 
-  double hold(std::size_t point, std::size_t i) const { return track.holds[point][stance.first + i]; }
-
-  /// The mean place of each joint while it stands, as shifted.
-  std::vector<Vec2> footprints() const {
-    std::vector<Vec2> prints(places.size(), Vec2::Zero());
-    for (std::size_t k = 0; k < places.size(); ++k) {
-      double weights = 0.0;
-      for (std::size_t i = 0; i < shifts.size(); ++i) {
-        prints[k] += hold(k, i) * (places[k][i] + shifts[i]);
-        weights += hold(k, i);
-      }
-      if (weights > 0.0) prints[k] /= weights;
-    }
-    return prints;
-  }
-
-  /// Shifts that bring the standing joints onto their footprints.
-  void moveOnto(const std::vector<Vec2>& prints) {
-    for (std::size_t i = 0; i < shifts.size(); ++i) {
-      Vec2 sum = Vec2::Zero();
-      double weights = 0.0;
-      for (std::size_t k = 0; k < places.size(); ++k) {
-        sum += hold(k, i) * (prints[k] - places[k][i]);
-        weights += hold(k, i);
-      }
-      shifts[i] = sum / weights;
-    }
-  }
+/// Footprints that settle: every frame is moved so that its standing joints come onto their prints in the
+/// mean, and every print is the mean of where its joint then stands, by turns. One round takes prints P to
+/// begin + share P, with one row and column for each contact joint, so that rounds cost the same however long
+/// a stance is.
+struct Settling {
+  Eigen::MatrixX2d begin;
+  Eigen::MatrixXd share;
 };
+
+Settling settlingOf(const std::vector<TurnedFoot>& feet, std::size_t contacts) {
+  const auto size = static_cast<Eigen::Index>(contacts);
+  Settling settling{Eigen::MatrixX2d::Zero(size, 2), Eigen::MatrixXd::Zero(size, size)};
+  std::array<double, kMostContacts> sums{};
+  for (const TurnedFoot& foot : feet) {
+    const Vec2 middle = meanByHold(foot, contacts, [&](std::size_t k) { return foot.places[k]; });
+    for (std::size_t k = 0; k < contacts; ++k) {
+      const auto row = static_cast<Eigen::Index>(k);
+      sums[k] += foot.holds[k];
+      settling.begin.row(row) += foot.holds[k] * (foot.places[k] - middle).transpose();
+      for (std::size_t l = 0; l < contacts; ++l)
+        settling.share(row, static_cast<Eigen::Index>(l)) += foot.holds[k] * foot.holds[l] / foot.holdSum;
+    }
+  }
+  for (std::size_t k = 0; k < contacts; ++k) {
+    if (sums[k] == 0.0) continue;
+    settling.begin.row(static_cast<Eigen::Index>(k)) /= sums[k];
+    settling.share.row(static_cast<Eigen::Index>(k)) /= sums[k];
+  }
+  return settling;
+}
+
+/// The mean place of each joint while it stands, before anything is moved.
+Eigen::MatrixX2d firstPrints(const std::vector<TurnedFoot>& feet, std::size_t contacts) {
+  Eigen::MatrixX2d prints = Eigen::MatrixX2d::Zero(static_cast<Eigen::Index>(contacts), 2);
+  for (std::size_t k = 0; k < contacts; ++k) {
+    Vec2 sum = Vec2::Zero();
+    double weights = 0.0;
+    for (const TurnedFoot& foot : feet) {
+      sum += foot.holds[k] * foot.places[k];
+      weights += foot.holds[k];
+    }
+    if (weights > 0.0) prints.row(static_cast<Eigen::Index>(k)) = (sum / weights).transpose();
+  }
+  return prints;
+}
 
 std::vector<Vec2> floorShifts(const FootTrack& track, const FootStance& stance,
                               const std::vector<double>& turns) {
-  Fit fit{track, stance, {}, std::vector<Vec2>(turns.size(), Vec2::Zero())};
-  for (std::size_t k = 0; k < track.points.size(); ++k) {
-    fit.places.emplace_back();
-    for (std::size_t i = 0; i < turns.size(); ++i)
-      fit.places[k].push_back(turnedPoint(track, k, stance.first + i, turns[i]));
+  const std::size_t contacts = track.points.size();
+  const std::vector<TurnedFoot> feet = turnedFeet(track, stance, turns);
+  const Settling settling = settlingOf(feet, contacts);
+  Eigen::MatrixX2d prints = firstPrints(feet, contacts);
+  for (int round = 1; round < kSettlingRounds; ++round) prints = settling.begin + settling.share * prints;
+  std::vector<Vec2> shifts;
+  shifts.reserve(feet.size());
+  for (const TurnedFoot& foot : feet) {
+    shifts.push_back(meanByHold(foot, contacts, [&](std::size_t k) {
+      return Vec2(prints.row(static_cast<Eigen::Index>(k)).transpose() - foot.places[k]);
+    }));
   }
-  for (int round = 0; round < kSettlingRounds; ++round) fit.moveOnto(fit.footprints());
-  return std::move(fit.shifts);
+  return shifts;
 }
 
 /// What exceeds `tolerance` >= 0, of either sign.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "walk/guided_run.h"
@@ -69,13 +70,20 @@ std::string explain(SearchStatus status, bool begun) {
          "turns or a mirrored library would help";
 }
 
+std::optional<DistanceField> fieldUnlessKnown(const MotionQuery& query) {
+  if (query.field != nullptr) return std::nullopt;
+  return DistanceField(query.plan, query.goal.position,
+                       {.openPath = {query.path.begin(), query.path.end()}});
+}
+
 /// All stages for one kind of end.
 class Cascade {
  public:
   Cascade(const MotionQuery& query, const GuidedSearchParams& params)
       : query_(query),
         params_(params),
-        field_(query.plan, query.goal.position, {.openPath = {query.path.begin(), query.path.end()}}),
+        ownField_(fieldUnlessKnown(query)),
+        field_(query.field != nullptr ? *query.field : *ownField_),
         costToGo_(query.tables, field_, {query.plan.widthMetres(), query.plan.depthMetres()}) {}
 
   MotionResult run() {
@@ -153,7 +161,8 @@ class Cascade {
   const MotionQuery& query_;
   const GuidedSearchParams& params_;
   GuidedStage stage_;  ///< Tried last.
-  DistanceField field_;
+  std::optional<DistanceField> ownField_;
+  const DistanceField& field_;
   CostToGo costToGo_;
   std::uint64_t expansions_ = 0;
   bool begun_ = false;

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "path/distance_field.h"
 #include "path/floor_plan.h"
 #include "scene/scene.h"
 #include "walk/motion_path.h"
@@ -40,6 +41,8 @@ struct MotionQuery {
   /// States looked at beyond those of the first walk to find cheaper ones; 0 takes the first.
   std::uint64_t improvementExpansions = 0;
   std::function<bool()> outOfTime;  ///< Asked now and then; true ends the search. May be empty.
+  /// How far it is to the goal from anywhere, finite at the start; null where a search has to find out itself.
+  const DistanceField* field = nullptr;
 };
 
 enum class SearchStatus { kArrived, kNoMotion, kBudgetSpent };

@@ -1,6 +1,6 @@
 #include "walk/piece_motion.h"
 
-#include "motion/transition_blend.h"
+#include <algorithm>
 
 namespace stridegraph {
 namespace {
@@ -13,45 +13,35 @@ TransitionBlend blendOf(const MotionLibrary& library, const MotionPiece& piece) 
           std::size_t{piece.frames} + 1};
 }
 
-/// Placements at positions 0..frames in the world of piecePoses().
-std::vector<FloorTransform> placementsOn(const MotionLibrary& library, const MotionPiece& piece) {
-  std::vector<FloorTransform> placements;
-  if (piece.kind == EdgeKind::kTransition) {
-    placements = blendTrack(blendOf(library, piece));
-    for (FloorTransform& placement : placements) placement.heading = placement.heading - library.facingOffset;
-    return placements;
-  }
-  const std::size_t from = piece.from.value;
-  for (std::size_t p = 0; p <= piece.frames; ++p)
-    placements.push_back(library.placementAt(FrameIndex(from + p)));
-  return placements;
-}
-
 }  // namespace
 
+PieceMotion::PieceMotion(const MotionLibrary& library, const MotionPiece& piece)
+    : library_(library), from_(piece.from.value) {
+  if (piece.kind == EdgeKind::kTransition) blended_.emplace(blendOf(library, piece));
+}
+
+FloorTransform PieceMotion::placement(std::size_t position) const {
+  if (!blended_) return library_.placementAt(FrameIndex(from_ + position));
+  const FloorTransform& root = blended_->track()[position];
+  return {root.translation, root.heading - library_.facingOffset};
+}
+
+void PieceMotion::pose(std::size_t position, Vec3& rootPosition, std::span<Quat> rotations) const {
+  if (blended_) {
+    blended_->pose(position, rootPosition, rotations);
+    return;
+  }
+  const PoseView captured = library_.frames.pose(from_ + position);
+  rootPosition = captured.rootPosition;
+  std::copy(captured.rotations.begin(), captured.rotations.end(), rotations.begin());
+}
+
 std::vector<FloorTransform> pieceTrack(const MotionLibrary& library, const MotionPiece& piece) {
-  std::vector<FloorTransform> track = placementsOn(library, piece);
-  const FloorTransform fromWorld = track.front().inverse();
-  track.front() = {};
-  for (std::size_t p = 1; p < track.size(); ++p) track[p] = fromWorld * track[p];
+  const PieceMotion motion(library, piece);
+  const FloorTransform fromWorld = motion.placement(0).inverse();
+  std::vector<FloorTransform> track(std::size_t{piece.frames} + 1);
+  for (std::size_t p = 1; p < track.size(); ++p) track[p] = fromWorld * motion.placement(p);
   return track;
-}
-
-Clip piecePoses(const MotionLibrary& library, const MotionPiece& piece) {
-  if (piece.kind == EdgeKind::kTransition) return blendPoses(blendOf(library, piece));
-  Clip poses;
-  poses.framesPerSecond = library.frames.framesPerSecond;
-  poses.jointCount = library.frames.jointCount;
-  const std::size_t from = piece.from.value;
-  for (std::size_t p = 0; p <= piece.frames; ++p) poses.append(library.frames.pose(from + p));
-  return poses;
-}
-
-FloorTransform placePoses(const MotionLibrary& library, const Clip& poses, std::size_t position,
-                          const FloorTransform& placement) {
-  FloorTransform inPoses = rootPlacement(poses.pose(position));
-  inPoses.heading = inPoses.heading - library.facingOffset;
-  return placement * inPoses.inverse();
 }
 
 }  // namespace stridegraph

@@ -1,9 +1,13 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "graph/library.h"
 #include "math/floor_transform.h"
+#include "motion/transition_blend.h"
 
 namespace stridegraph {
 
@@ -11,12 +15,21 @@ namespace stridegraph {
 /// positions 0..frames (frames + 1 of them; the first is the identity).
 std::vector<FloorTransform> pieceTrack(const MotionLibrary& library, const MotionPiece& piece);
 
-/// The poses of a piece at positions 0..frames. Their roots are placed as in the library for a clip piece,
-/// and as in the source clip for a transition: placePoses() tells what brings them into the room.
-Clip piecePoses(const MotionLibrary& library, const MotionPiece& piece);
+/// A piece read position by position, 0..frames. Bodies stand as in the library on a clip piece, and as in the
+/// world of the source clip on a transition. Borrows the library.
+class PieceMotion {
+ public:
+  PieceMotion(const MotionLibrary& library, const MotionPiece& piece);
 
-/// The floor transform that brings piecePoses() to where its frame at `position` stands at `placement`.
-FloorTransform placePoses(const MotionLibrary& library, const Clip& poses, std::size_t position,
-                          const FloorTransform& placement);
+  /// Where the body stands and looks.
+  FloorTransform placement(std::size_t position) const;
+  /// Writes a pose; `rotations` has one for each joint.
+  void pose(std::size_t position, Vec3& rootPosition, std::span<Quat> rotations) const;
+
+ private:
+  const MotionLibrary& library_;
+  std::size_t from_;                     ///< Frame of position 0.
+  std::optional<BlendedPoses> blended_;  ///< Of a transition.
+};
 
 }  // namespace stridegraph

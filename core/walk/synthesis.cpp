@@ -1,5 +1,7 @@
 #include "walk/synthesis.h"
 
+#include <span>
+
 #include "base/check.h"
 #include "motion/transition_blend.h"
 #include "walk/piece_motion.h"
@@ -7,13 +9,28 @@
 namespace stridegraph {
 namespace {
 
-/// Appends a frame of `poses`, brought into the room.
-void appendPlaced(const Clip& poses, std::size_t frame, const FloorTransform& roomFromPiece, Clip& walk) {
-  walk.append(poses.pose(frame));
-  const std::size_t last = walk.frameCount() - 1;
-  walk.rootPositions[last] = roomFromPiece.apply(poses.rootPositions[frame]);
-  Quat& root = walk.rotationsOf(last)[0];
-  root = (roomFromPiece.heading.rotation() * root).normalized();
+std::size_t frameCountOf(const MotionPath& path) {
+  std::size_t count = 1;
+  for (const WalkStep& step : path.steps) count += step.end - step.begin;
+  return count;
+}
+
+/// Calls visit(step, motion of its piece, roomFromPiece, position, placement) for every frame that a path
+/// shows: the first frame of each step but the very first was shown by the step before.
+template <typename Visit>
+void visitFrames(const MotionLibrary& library, const MotionPath& path, const Visit& visit) {
+  FloorTransform shown = path.start;
+  bool begins = true;
+  for (const WalkStep& step : path.steps) {
+    const PieceMotion motion(library, step.piece);
+    const FloorTransform roomFromPiece = shown * motion.placement(step.begin).inverse();
+    if (begins) visit(step, motion, roomFromPiece, step.begin, shown);
+    begins = false;
+    for (std::uint32_t p = step.begin + 1; p <= step.end; ++p) {
+      shown = roomFromPiece * motion.placement(p);
+      visit(step, motion, roomFromPiece, p, shown);
+    }
+  }
 }
 
 /// Contacts at a position on a piece: of the captured frame there, and in a blend of the clip that weighs
@@ -33,36 +50,41 @@ ContactMask contactsAt(const MotionLibrary& library, const MotionPiece& piece, s
 }  // namespace
 
 std::vector<FloorTransform> placementsAlong(const MotionLibrary& library, const MotionPath& path) {
-  std::vector<FloorTransform> placements = {path.start};
-  for (const WalkStep& step : path.steps) {
-    const std::vector<FloorTransform> track = pieceTrack(library, step.piece);
-    const FloorTransform atPieceStart = placements.back() * track[step.begin].inverse();
-    for (std::uint32_t p = step.begin + 1; p <= step.end; ++p) placements.push_back(atPieceStart * track[p]);
-  }
+  std::vector<FloorTransform> placements;
+  placements.reserve(frameCountOf(path));
+  visitFrames(library, path,
+              [&](const WalkStep&, const PieceMotion&, const FloorTransform&, std::uint32_t,
+                  const FloorTransform& placement) { placements.push_back(placement); });
   return placements;
 }
 
 SynthesisedWalk synthesise(const MotionLibrary& library, const MotionPath& path) {
   STRIDEGRAPH_CHECK(!path.steps.empty());
+  const std::size_t frameCount = frameCountOf(path);
   SynthesisedWalk walk;
   walk.clip.framesPerSecond = library.frames.framesPerSecond;
   walk.clip.jointCount = library.skeleton.size();
-  walk.placements = placementsAlong(library, path);
-  for (const WalkStep& step : path.steps) {
-    const MotionPiece& piece = step.piece;
-    const Clip poses = piecePoses(library, piece);
-    // The frame at `begin` was shown by the step before, except at the very beginning.
-    const bool begins = walk.clip.frameCount() == 0;
-    const std::size_t shown = begins ? 0 : walk.clip.frameCount() - 1;
-    const std::uint32_t first = begins ? step.begin : step.begin + 1;
-    const FloorTransform roomFromPiece = placePoses(library, poses, step.begin, walk.placements[shown]);
-    for (std::uint32_t p = first; p <= step.end; ++p) {
-      appendPlaced(poses, p, roomFromPiece, walk.clip);
-      const bool blended = piece.kind == EdgeKind::kTransition && p > 0 && p < piece.frames;
-      walk.frameKinds.push_back(blended ? EdgeKind::kTransition : EdgeKind::kClipPiece);
-      walk.contacts.push_back(contactsAt(library, piece, p));
-    }
-  }
+  walk.clip.rootPositions.resize(frameCount);
+  walk.clip.rotations.resize(frameCount * walk.clip.jointCount);
+  walk.placements.reserve(frameCount);
+  walk.frameKinds.reserve(frameCount);
+  walk.contacts.reserve(frameCount);
+  visitFrames(library, path,
+              [&](const WalkStep& step, const PieceMotion& motion, const FloorTransform& roomFromPiece,
+                  std::uint32_t position, const FloorTransform& placement) {
+                const MotionPiece& piece = step.piece;
+                const std::size_t frame = walk.placements.size();
+                Vec3& root = walk.clip.rootPositions[frame];
+                const std::span<Quat> rotations = walk.clip.rotationsOf(frame);
+                motion.pose(position, root, rotations);
+                root = roomFromPiece.apply(root);
+                rotations[0] = (roomFromPiece.heading.rotation() * rotations[0]).normalized();
+                walk.placements.push_back(placement);
+                const bool blended =
+                    piece.kind == EdgeKind::kTransition && position > 0 && position < piece.frames;
+                walk.frameKinds.push_back(blended ? EdgeKind::kTransition : EdgeKind::kClipPiece);
+                walk.contacts.push_back(contactsAt(library, piece, position));
+              });
   return walk;
 }
 

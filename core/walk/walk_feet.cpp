@@ -110,18 +110,28 @@ WalkFeet findWalkFeet(const MotionLibrary& library) {
 FootTrack trackFoot(const MotionLibrary& library, const WalkFoot& foot, const Clip& clip,
                     std::span<const ContactMask> masks) {
   STRIDEGRAPH_CHECK(masks.size() == clip.frameCount());
+  const std::size_t frameCount = clip.frameCount();
+  std::vector<JointIndex> joints = {foot.leg.hip, foot.leg.ankle};
+  for (const std::size_t contact : foot.contacts) joints.push_back(library.contactJoints[contact]);
+  const JointChains chains(library.skeleton, joints);
+  std::vector<std::size_t> slots;
+  for (const JointIndex joint : joints) slots.push_back(chains.slotOf(joint));
+  std::vector<JointPlacement> placements(chains.size());
   FootTrack track;
-  track.points.resize(foot.contacts.size());
-  for (std::size_t f = 0; f < clip.frameCount(); ++f) {
-    const PoseView pose = clip.pose(f);
-    track.ankles.push_back(placeJoint(library.skeleton, pose, foot.leg.ankle));
-    track.hips.push_back(placeJoint(library.skeleton, pose, foot.leg.hip).position);
-    const Vec3 side = track.ankles.back().rotation * foot.sideInAnkle;
-    track.yaws.push_back(std::atan2(-side.z(), side.x()));
-    for (std::size_t i = 0; i < foot.contacts.size(); ++i) {
-      const JointIndex joint = library.contactJoints[foot.contacts[i]];
-      track.points[i].push_back(placeJoint(library.skeleton, pose, joint).position);
-    }
+  track.ankles.resize(frameCount);
+  track.hips.resize(frameCount);
+  track.hipRotations.resize(frameCount);
+  track.yaws.resize(frameCount);
+  track.points.assign(foot.contacts.size(), std::vector<Vec3>(frameCount));
+  for (std::size_t f = 0; f < frameCount; ++f) {
+    chains.place(clip.pose(f), placements);
+    track.hips[f] = placements[slots[0]].position;
+    track.hipRotations[f] = placements[slots[0]].rotation;
+    track.ankles[f] = placements[slots[1]];
+    const Vec3 side = track.ankles[f].rotation * foot.sideInAnkle;
+    track.yaws[f] = std::atan2(-side.z(), side.x());
+    for (std::size_t i = 0; i < foot.contacts.size(); ++i)
+      track.points[i][f] = placements[slots[2 + i]].position;
   }
   for (std::size_t i = 0; i < foot.contacts.size(); ++i)
     track.holds.push_back(holdsOf(track.points[i], masks, foot.contacts[i], clip.framesPerSecond));

@@ -13,6 +13,7 @@ namespace stridegraph {
 namespace {
 
 constexpr double kFootHeightMetres = 0.025;
+constexpr double kRoundingMetres = 1e-9;
 
 /// What all but 2 % of the heights lie above.
 double floorLevel(const std::vector<Vec3>& path) {
@@ -49,15 +50,28 @@ double rootPathLength(const Clip& walk) {
 
 double smallestClearance(const FloorPlan& plan, const Clip& walk) {
   double smallest = std::numeric_limits<double>::infinity();
-  for (const Vec3& root : walk.rootPositions) smallest = std::min(smallest, plan.clearance(onFloor(root)));
+  Vec2 looked = Vec2::Zero();
+  double there = 0.0;
+  for (const Vec3& root : walk.rootPositions) {
+    const Vec2 point = onFloor(root);
+    // Clearance changes by no more than the way gone since it was looked at.
+    if (there - (point - looked).norm() > smallest + kRoundingMetres) continue;
+    looked = point;
+    there = plan.clearance(point);
+    smallest = std::min(smallest, there);
+  }
   return smallest;
 }
 
 FootPaths footPaths(const Skeleton& skeleton, const ClipSpan& span, std::span<const JointIndex> feet) {
-  FootPaths paths(feet.size());
+  const JointChains chains(skeleton, feet);
+  std::vector<JointPlacement> joints(chains.size());
+  std::vector<std::size_t> slots;
+  for (const JointIndex foot : feet) slots.push_back(chains.slotOf(foot));
+  FootPaths paths(feet.size(), std::vector<Vec3>(span.last - span.first + 1));
   for (std::size_t f = span.first; f <= span.last; ++f) {
-    const std::vector<Vec3> joints = jointPositions(skeleton, span.clip->pose(f));
-    for (std::size_t i = 0; i < feet.size(); ++i) paths[i].push_back(joints[feet[i].value]);
+    chains.place(span.clip->pose(f), joints);
+    for (std::size_t i = 0; i < feet.size(); ++i) paths[i][f - span.first] = joints[slots[i]].position;
   }
   return paths;
 }

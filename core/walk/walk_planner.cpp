@@ -129,6 +129,7 @@ class Planning {
     plan_.report.pathLengthMetres = found.lengthMetres;
     plan_.roadmap = std::move(found.roadmapEdges);
     plan_.path = std::move(found.path);
+    field_ = std::move(found.field);
     if (!plan_.path.empty()) plan_.subgoals = subgoals(plan_.path, options_.subgoalSpacingMetres);
     plan_.report.pathMilliseconds = watch.elapsed();
   }
@@ -151,7 +152,8 @@ class Planning {
           return bendToGoal(placementsAlong(library_, path), scene_.goal, floor).has_value();
         },
         options_.improvementExpansions,
-        [&] { return options_.budgetMilliseconds > 0.0 && watch.elapsed() > options_.budgetMilliseconds; }};
+        [&] { return options_.budgetMilliseconds > 0.0 && watch.elapsed() > options_.budgetMilliseconds; },
+        field_.get()};
     MotionResult found = searchMotion(options_.search, query);
     plan_.report.status = statusOf(found.status);
     plan_.report.explanation = std::move(found.explanation);
@@ -196,6 +198,7 @@ class Planning {
   const Scene& scene_;
   const PlanOptions& options_;
   Stopwatch total_;
+  std::shared_ptr<const DistanceField> field_;  ///< Of the planner, where it has one.
   Plan plan_;
 };
 

@@ -41,25 +41,39 @@ TEST(PieceTrack, ofATransitionTurnsFromTheOneRateToTheOther) {
   EXPECT_LT(turned, 30.0);
 }
 
-TEST(PiecePoses, lieOnTheEdgesTrackOncePlaced) {
+/// The poses of a piece at positions 0..frames.
+Clip posesOf(const MotionLibrary& library, const MotionPiece& piece) {
+  Clip poses{.name = {},
+             .framesPerSecond = library.frames.framesPerSecond,
+             .jointCount = library.skeleton.size(),
+             .rootPositions = std::vector<Vec3>(piece.frames + 1),
+             .rotations = std::vector<Quat>((piece.frames + 1) * library.skeleton.size())};
+  const PieceMotion motion(library, piece);
+  for (std::size_t p = 0; p <= piece.frames; ++p) motion.pose(p, poses.rootPositions[p], poses.rotationsOf(p));
+  return poses;
+}
+
+TEST(PieceMotion, placesItsPosesAsTheTrackDoes) {
   const MotionLibrary library = threeArcs();
-  const FloorTransform placement{{3, 4}, Heading::fromAngle(Angle::degrees(70))};
   for (const MotionEdge& edge : library.graph.edges) {
-    const std::vector<FloorTransform> track = pieceTrack(library, pieceOf(library.graph, edge));
-    const Clip poses = piecePoses(library, pieceOf(library.graph, edge));
-    const FloorTransform roomFromPiece = placePoses(library, poses, 0, placement);
+    const MotionPiece piece = pieceOf(library.graph, edge);
+    const std::vector<FloorTransform> track = pieceTrack(library, piece);
+    const PieceMotion motion(library, piece);
+    const FloorTransform trackFromPiece = motion.placement(0).inverse();
+    const Clip poses = posesOf(library, piece);
     ASSERT_EQ(poses.frameCount(), track.size());
     for (std::size_t p = 0; p < track.size(); ++p) {
-      const Vec2 root = onFloor(roomFromPiece.apply(poses.rootPositions[p]));
-      EXPECT_LT((root - placement * track[p].translation).norm(), 1e-9);
+      const Vec2 root = onFloor(trackFromPiece.apply(poses.rootPositions[p]));
+      EXPECT_LT((root - track[p].translation).norm(), 1e-9);
+      EXPECT_LT(((trackFromPiece * motion.placement(p)).translation - track[p].translation).norm(), 1e-9);
     }
   }
 }
 
-TEST(PiecePoses, ofATransitionBeginAndEndWithTheCapturedPoses) {
+TEST(PieceMotion, ofATransitionBeginsAndEndsWithTheCapturedPoses) {
   const MotionLibrary library = threeArcs();
   const MotionEdge& edge = library.graph.edges[2];
-  const Clip poses = piecePoses(library, pieceOf(library.graph, edge));
+  const Clip poses = posesOf(library, pieceOf(library.graph, edge));
   const PoseView from = library.frames.pose(library.graph.nodes[edge.from.value].value);
   const PoseView to = library.frames.pose(library.graph.nodes[edge.to.value].value);
   EXPECT_LT(angleBetween(poses.pose(0).rotations[1], from.rotations[1]).radians(), 1e-6);
