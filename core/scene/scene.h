@@ -37,6 +37,37 @@ struct MovingObstacle {
   std::vector<TrackPoint> track;  ///< At least one; times grow.
 };
 
+/// A further walker beside the scene's first one.
+struct Walker {
+  Placement start;
+  Placement goal;
+};
+
+enum class Gait { kWalk, kRun };
+
+enum class AreaKind { kAvoid, kPrefer };
+
+/// A part of the floor that walks keep out of where they can, or lead over where that costs little.
+struct Area {
+  Rectangle rectangle;
+  AreaKind kind = AreaKind::kAvoid;
+};
+
+/// What every walk of a scene keeps to, beyond getting there (Treiber 2011, 4.2.2). Nothing set: anything
+/// goes.
+struct WalkConstraints {
+  std::optional<Gait> gait;
+  std::optional<double> minSpeedMetresPerSecond;  ///< 0..10, at most the greatest speed.
+  std::optional<double> maxSpeedMetresPerSecond;  ///< 0..10.
+  std::optional<double> latestArrivalSeconds;     ///< After the walk's beginning, above 0, at most 3600.
+  std::vector<Area> areas;
+
+  bool any() const {
+    return gait || minSpeedMetresPerSecond || maxSpeedMetresPerSecond || latestArrivalSeconds ||
+           !areas.empty();
+  }
+};
+
 /// A room to walk in: what users draw, save, and share. The room spans 0..width in x and 0..depth in z.
 struct Scene {
   std::string name;
@@ -46,6 +77,8 @@ struct Scene {
   std::vector<MovingObstacle> moving;
   Placement start;
   Placement goal;
+  std::vector<Walker> walkers;  ///< Further ones; start and goal above are the first walker's.
+  WalkConstraints constraints;
   double radiusMetres = 0.4;  ///< Of the disc that stands for the body, > 0.
   std::uint64_t seed = 1;
   /// Members of the JSON that this version does not know, kept as a JSON object text; empty when there are

@@ -72,6 +72,52 @@ Checked checkMoving(const std::string& member, const MovingObstacle& moving) {
   return {};
 }
 
+Checked checkRectangle(const std::string& member, const Rectangle& rectangle) {
+  if (Checked centre = checkPoint(member, rectangle.centre); !centre) return centre;
+  return checkSize(member, rectangle.size);
+}
+
+Checked checkSpeeds(const WalkConstraints& constraints) {
+  const std::optional<double>& least = constraints.minSpeedMetresPerSecond;
+  const std::optional<double>& most = constraints.maxSpeedMetresPerSecond;
+  if (most) {
+    if (Checked speed = checkWithin("constraints.max_speed_m_s", *most, 0.0, kMostMetresPerSecond); !speed) {
+      return speed;
+    }
+  }
+  if (!least) return {};
+  return checkWithin("constraints.min_speed_m_s", *least, 0.0, most.value_or(kMostMetresPerSecond));
+}
+
+Checked checkConstraints(const WalkConstraints& constraints) {
+  if (Checked speeds = checkSpeeds(constraints); !speeds) return speeds;
+  if (const std::optional<double>& arrival = constraints.latestArrivalSeconds;
+      arrival && !(*arrival > 0.0 && *arrival <= kMostArrivalSeconds)) {
+    return wrong("constraints.latest_arrival_s", *arrival,
+                 fmt::format("a number above 0 and at most {}", kMostArrivalSeconds));
+  }
+  if (Checked count = checkCount("constraints.areas", constraints.areas.size(), kMostAreas); !count) {
+    return count;
+  }
+  for (std::size_t i = 0; i < constraints.areas.size(); ++i) {
+    const std::string place = fmt::format("constraints.areas[{}]", i);
+    if (Checked area = checkRectangle(place, constraints.areas[i].rectangle); !area) return area;
+  }
+  return {};
+}
+
+Checked checkWalkers(const Scene& scene) {
+  if (Checked start = checkPlacement("start", scene.start); !start) return start;
+  if (Checked goal = checkPlacement("goal", scene.goal); !goal) return goal;
+  if (Checked count = checkCount("walkers", scene.walkers.size(), kMostWalkers); !count) return count;
+  for (std::size_t i = 0; i < scene.walkers.size(); ++i) {
+    const std::string place = fmt::format("walkers[{}]", i);
+    if (Checked start = checkPlacement(place + ".start", scene.walkers[i].start); !start) return start;
+    if (Checked goal = checkPlacement(place + ".goal", scene.walkers[i].goal); !goal) return goal;
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<void> checkScene(const Scene& scene) {
@@ -87,16 +133,16 @@ Result<void> checkScene(const Scene& scene) {
   }
   if (Checked count = checkCount("obstacles", scene.obstacles.size(), kMostObstacles); !count) return count;
   for (std::size_t i = 0; i < scene.obstacles.size(); ++i) {
-    const std::string place = fmt::format("obstacles[{}]", i);
-    if (Checked centre = checkPoint(place, scene.obstacles[i].centre); !centre) return centre;
-    if (Checked size = checkSize(place, scene.obstacles[i].size); !size) return size;
+    if (Checked obstacle = checkRectangle(fmt::format("obstacles[{}]", i), scene.obstacles[i]); !obstacle) {
+      return obstacle;
+    }
   }
   if (Checked count = checkCount("moving", scene.moving.size(), kMostObstacles); !count) return count;
   for (std::size_t i = 0; i < scene.moving.size(); ++i) {
     if (Checked moving = checkMoving(fmt::format("moving[{}]", i), scene.moving[i]); !moving) return moving;
   }
-  if (Checked start = checkPlacement("start", scene.start); !start) return start;
-  return checkPlacement("goal", scene.goal);
+  if (Checked walkers = checkWalkers(scene); !walkers) return walkers;
+  return checkConstraints(scene.constraints);
 }
 
 }  // namespace stridegraph

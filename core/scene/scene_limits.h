@@ -12,5 +12,9 @@ inline constexpr double kLeastRadiusMetres = 0.05;
 inline constexpr double kMostRadiusMetres = 5.0;
 inline constexpr std::size_t kMostObstacles = 10'000;
 inline constexpr std::size_t kMostTrackPoints = 10'000;
+inline constexpr std::size_t kMostWalkers = 100;
+inline constexpr std::size_t kMostAreas = 1000;
+inline constexpr double kMostMetresPerSecond = 10.0;
+inline constexpr double kMostArrivalSeconds = 3600.0;
 
 }  // namespace stridegraph

@@ -17,14 +17,19 @@
 namespace stridegraph {
 
 // Bytes of a link: version, body, checksum of both. Every version begins with its number and ends with this
-// checksum, so that an old program can tell a new link from a broken one.
+// checksum, so that an old program can tell a new link from a broken one. Version 2 adds walkers and
+// constraints; scenes without them stay in version 1, so that every program can follow their links.
 
 namespace {
 
 constexpr std::string_view kPrefix = "s=";
-constexpr std::uint8_t kVersion = 1;
+constexpr std::uint8_t kPlainVersion = 1;
+constexpr std::uint8_t kVersion = 2;
 constexpr int kChecksumBytes = 4;
 constexpr std::size_t kLeastNumberBytes = 1;
+
+/// What the byte before the constraints says is there, and whether one asks for running.
+enum ConstraintBits : std::uint8_t { kGait = 1, kRuns = 2, kMinSpeed = 4, kMaxSpeed = 8, kArrival = 16 };
 
 enum HeadingForm : std::uint8_t { kNoHeading, kDegrees, kRadians };
 
@@ -89,6 +94,74 @@ MovingObstacle readMoving(PackedReader& reader) {
   return moving;
 }
 
+void writeRectangle(PackedWriter& writer, const Rectangle& rectangle) {
+  writePoint(writer, rectangle.centre);
+  writePoint(writer, rectangle.size);
+}
+
+Rectangle readRectangle(PackedReader& reader) {
+  const Vec2 centre = readPoint(reader);
+  return {centre, readPoint(reader)};
+}
+
+void writeConstraints(PackedWriter& writer, const WalkConstraints& constraints) {
+  const auto bit = [](bool set, ConstraintBits which) { return set ? static_cast<unsigned>(which) : 0U; };
+  writer.byte(static_cast<std::uint8_t>(bit(constraints.gait.has_value(), kGait) |
+                                        bit(constraints.gait == Gait::kRun, kRuns) |
+                                        bit(constraints.minSpeedMetresPerSecond.has_value(), kMinSpeed) |
+                                        bit(constraints.maxSpeedMetresPerSecond.has_value(), kMaxSpeed) |
+                                        bit(constraints.latestArrivalSeconds.has_value(), kArrival)));
+  for (const std::optional<double>& number :
+       {constraints.minSpeedMetresPerSecond, constraints.maxSpeedMetresPerSecond,
+        constraints.latestArrivalSeconds}) {
+    if (number) writer.number(*number);
+  }
+  writer.varint(constraints.areas.size());
+  for (const Area& area : constraints.areas) {
+    writer.byte(static_cast<std::uint8_t>(area.kind));
+    writeRectangle(writer, area.rectangle);
+  }
+}
+
+WalkConstraints readConstraints(PackedReader& reader) {
+  WalkConstraints constraints;
+  const unsigned bits = reader.byte();
+  const auto optionalNumber = [&](ConstraintBits which) {
+    return (bits & which) != 0U ? std::optional<double>(reader.number()) : std::nullopt;
+  };
+  if ((bits & kGait) != 0U) constraints.gait = (bits & kRuns) != 0U ? Gait::kRun : Gait::kWalk;
+  constraints.minSpeedMetresPerSecond = optionalNumber(kMinSpeed);
+  constraints.maxSpeedMetresPerSecond = optionalNumber(kMaxSpeed);
+  constraints.latestArrivalSeconds = optionalNumber(kArrival);
+  constraints.areas.resize(reader.count(5 * kLeastNumberBytes));
+  for (Area& area : constraints.areas) {
+    area.kind = reader.byte() == 1 ? AreaKind::kPrefer : AreaKind::kAvoid;
+    area.rectangle = readRectangle(reader);
+  }
+  return constraints;
+}
+
+void writeWalkers(PackedWriter& writer, const std::vector<Walker>& walkers) {
+  writer.varint(walkers.size());
+  for (const Walker& walker : walkers) {
+    writePlacement(writer, walker.start);
+    writePlacement(writer, walker.goal);
+  }
+}
+
+std::vector<Walker> readWalkers(PackedReader& reader) {
+  std::vector<Walker> walkers(reader.count(6 * kLeastNumberBytes));
+  for (Walker& walker : walkers) {
+    walker.start = readPlacement(reader);
+    walker.goal = readPlacement(reader);
+  }
+  return walkers;
+}
+
+bool isPlain(const Scene& scene) {
+  return scene.walkers.empty() && !scene.constraints.any();
+}
+
 void writeScene(PackedWriter& writer, const Scene& scene) {
   writer.text(scene.name);
   writePoint(writer, {scene.widthMetres, scene.depthMetres});
@@ -97,16 +170,16 @@ void writeScene(PackedWriter& writer, const Scene& scene) {
   writePlacement(writer, scene.start);
   writePlacement(writer, scene.goal);
   writer.varint(scene.obstacles.size());
-  for (const Rectangle& obstacle : scene.obstacles) {
-    writePoint(writer, obstacle.centre);
-    writePoint(writer, obstacle.size);
-  }
+  for (const Rectangle& obstacle : scene.obstacles) writeRectangle(writer, obstacle);
   writer.varint(scene.moving.size());
   for (const MovingObstacle& moving : scene.moving) writeMoving(writer, moving);
   writer.text(scene.unknownMembers);
+  if (isPlain(scene)) return;
+  writeWalkers(writer, scene.walkers);
+  writeConstraints(writer, scene.constraints);
 }
 
-Scene readScene(PackedReader& reader) {
+Scene readScene(PackedReader& reader, std::uint8_t version) {
   Scene scene;
   scene.name = reader.text();
   const Vec2 size = readPoint(reader);
@@ -117,13 +190,13 @@ Scene readScene(PackedReader& reader) {
   scene.start = readPlacement(reader);
   scene.goal = readPlacement(reader);
   scene.obstacles.resize(reader.count(4 * kLeastNumberBytes));
-  for (Rectangle& obstacle : scene.obstacles) {
-    obstacle.centre = readPoint(reader);
-    obstacle.size = readPoint(reader);
-  }
+  for (Rectangle& obstacle : scene.obstacles) obstacle = readRectangle(reader);
   const std::size_t movingCount = reader.count(4 * kLeastNumberBytes);
   for (std::size_t i = 0; i < movingCount; ++i) scene.moving.push_back(readMoving(reader));
   scene.unknownMembers = reader.text();
+  if (version == kPlainVersion) return scene;
+  scene.walkers = readWalkers(reader);
+  scene.constraints = readConstraints(reader);
   return scene;
 }
 
@@ -144,7 +217,7 @@ Result<void> checkShared(const SharedScene& shared) {
 
 std::string encodeLink(const SharedScene& shared) {
   PackedWriter writer;
-  writer.byte(kVersion);
+  writer.byte(isPlain(shared.scene) ? kPlainVersion : kVersion);
   writer.text(shared.search);
   writer.fixed(shared.libraryHash, 8);
   writeScene(writer, shared.scene);
@@ -174,7 +247,7 @@ Result<SharedScene> decodeLink(std::string_view fragment) {
   SharedScene shared;
   shared.search = reader.text();
   shared.libraryHash = reader.fixed(8);
-  shared.scene = readScene(reader);
+  shared.scene = readScene(reader, version);
   if (reader.failed() || reader.bytesLeft() > 0) return damaged("a scene that does not fit its length");
   if (Result<void> checked = checkShared(shared); !checked) return fail(std::move(checked));
   return shared;

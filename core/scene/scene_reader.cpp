@@ -5,11 +5,12 @@
 #include <string>
 #include <utility>
 
+#include "scene/json_member.h"
 #include "scene/json_text.h"
 #include "scene/scene_json.h"
 #include "scene/scene_limits.h"
 #include "scene/scene_members.h"
-#include "scene/track_repeat.h"
+#include "scene/scene_names.h"
 
 namespace stridegraph {
 
@@ -17,71 +18,7 @@ namespace {
 
 constexpr std::uint64_t kVersion = 1;
 
-tl::unexpected<Error> unexpectedValue(const std::string& place, const Json* found,
-                                      std::string_view expected) {
-  return fail(ErrorCode::kSceneValue, fmt::format("{}: found {}, expected {}", place,
-                                                  found == nullptr ? "nothing" : quoted(*found), expected));
-}
-
-/// An object of the scene and its place in it, for messages.
-class Member {
- public:
-  Member(const Json& json, std::string place) : json_(&json), place_(std::move(place)) {}
-
-  const Json& json() const { return *json_; }
-  const std::string& place() const { return place_; }
-  std::string placeOf(std::string_view name) const {
-    return place_.empty() ? std::string(name) : fmt::format("{}.{}", place_, name);
-  }
-  const Json* find(std::string_view name) const {
-    const auto found = json_->find(std::string(name));
-    return found == json_->end() ? nullptr : &*found;
-  }
-
-  Result<double> number(std::string_view name) const {
-    const Json* const value = find(name);
-    if (value == nullptr || !value->is_number()) return unexpectedValue(placeOf(name), value, "a number");
-    return value->get<double>();
-  }
-  Result<double> numberOr(std::string_view name, double otherwise) const {
-    return find(name) == nullptr ? Result<double>(otherwise) : number(name);
-  }
-  Result<Vec2> pair(std::string_view first, std::string_view second) const {
-    Result<double> x = number(first);
-    if (!x) return fail(std::move(x));
-    Result<double> y = number(second);
-    if (!y) return fail(std::move(y));
-    return Vec2(*x, *y);
-  }
-  Result<Member> object(std::string_view name) const {
-    const Json* const value = find(name);
-    if (value == nullptr || !value->is_object()) return unexpectedValue(placeOf(name), value, "an object");
-    return Member(*value, placeOf(name));
-  }
-
-  /// Calls read(element) for each object of a list; stops at the first error.
-  template <typename Read>
-  Result<void> each(std::string_view name, std::size_t most, const Read& read) const {
-    const Json* const list = find(name);
-    if (list == nullptr || !list->is_array()) return unexpectedValue(placeOf(name), list, "a list");
-    if (list->size() > most) {
-      return fail(ErrorCode::kSceneValue, fmt::format("{}: found {} elements, expected at most {}",
-                                                      placeOf(name), list->size(), most));
-    }
-    for (std::size_t i = 0; i < list->size(); ++i) {
-      const Member element((*list)[i], fmt::format("{}[{}]", placeOf(name), i));
-      if (!element.json().is_object()) return unexpectedValue(element.place(), &element.json(), "an object");
-      if (Result<void> done = read(element); !done) return done;
-    }
-    return {};
-  }
-
- private:
-  const Json* json_;
-  std::string place_;
-};
-
-Result<void> readVersion(const Member& scene) {
+Result<void> readVersion(const JsonMember& scene) {
   const Json* const version = scene.find("version");
   if (version == nullptr) return {};
   if (!version->is_number_unsigned() || version->get<std::uint64_t>() == 0) {
@@ -93,14 +30,14 @@ Result<void> readVersion(const Member& scene) {
   return {};
 }
 
-Result<std::string> readName(const Member& scene) {
+Result<std::string> readName(const JsonMember& scene) {
   const Json* const name = scene.find("name");
   if (name == nullptr) return std::string();
   if (!name->is_string()) return unexpectedValue("name", name, "a text");
   return name->get<std::string>();
 }
 
-Result<std::uint64_t> readSeed(const Member& scene) {
+Result<std::uint64_t> readSeed(const JsonMember& scene) {
   const Json* const seed = scene.find("seed");
   if (seed == nullptr) return Scene().seed;
   if (!seed->is_number_unsigned()) {
@@ -109,8 +46,8 @@ Result<std::uint64_t> readSeed(const Member& scene) {
   return seed->get<std::uint64_t>();
 }
 
-Result<Placement> readPlacement(const Member& scene, std::string_view name) {
-  Result<Member> member = scene.object(name);
+Result<Placement> readPlacement(const JsonMember& parent, std::string_view name) {
+  Result<JsonMember> member = parent.object(name);
   if (!member) return fail(std::move(member));
   Result<Vec2> position = member->pair("x", "z");
   if (!position) return fail(std::move(position));
@@ -123,33 +60,44 @@ Result<Placement> readPlacement(const Member& scene, std::string_view name) {
   return placement;
 }
 
-Result<void> readObstacle(const Member& member, Scene& scene) {
+Result<Rectangle> readRectangle(const JsonMember& member) {
   Result<Vec2> centre = member.pair("x", "z");
   if (!centre) return fail(std::move(centre));
   Result<Vec2> size = member.pair("width", "depth");
   if (!size) return fail(std::move(size));
-  scene.obstacles.push_back({*centre, *size});
+  return Rectangle{*centre, *size};
+}
+
+Result<void> readObstacle(const JsonMember& member, Scene& scene) {
+  Result<Rectangle> rectangle = readRectangle(member);
+  if (!rectangle) return fail(std::move(rectangle));
+  scene.obstacles.push_back(*rectangle);
   return {};
 }
 
-Result<TrackRepeat> readRepeat(const Member& member) {
-  const Json* const name = member.find("repeat");
-  if (name == nullptr) return TrackRepeat::kLoop;
-  const std::optional<TrackRepeat> repeat =
-      name->is_string() ? trackRepeatFromName(name->get<std::string>()) : std::nullopt;
-  if (!repeat) return unexpectedValue(member.placeOf("repeat"), name, "\"loop\", \"pingpong\" or \"once\"");
-  return *repeat;
+/// The value of an enumeration that the member's text names.
+template <typename Enum>
+Result<Enum> readNamed(const JsonMember& member, std::string_view name,
+                       std::optional<Enum> (*fromName)(std::string_view), std::string_view expected) {
+  const Json* const text = member.find(name);
+  const std::optional<Enum> value =
+      text != nullptr && text->is_string() ? fromName(text->get<std::string>()) : std::nullopt;
+  if (!value) return unexpectedValue(member.placeOf(name), text, expected);
+  return *value;
 }
 
-Result<void> readMoving(const Member& member, Scene& scene) {
+Result<void> readMoving(const JsonMember& member, Scene& scene) {
   MovingObstacle moving;
   Result<Vec2> size = member.pair("width", "depth");
   if (!size) return fail(std::move(size));
   moving.size = *size;
-  Result<TrackRepeat> repeat = readRepeat(member);
-  if (!repeat) return fail(std::move(repeat));
-  moving.repeat = *repeat;
-  Result<void> track = member.each("track", kMostTrackPoints, [&](const Member& element) -> Result<void> {
+  if (member.find("repeat") != nullptr) {
+    Result<TrackRepeat> repeat =
+        readNamed(member, "repeat", trackRepeatFromName, "\"loop\", \"pingpong\" or \"once\"");
+    if (!repeat) return fail(std::move(repeat));
+    moving.repeat = *repeat;
+  }
+  Result<void> track = member.each("track", kMostTrackPoints, [&](const JsonMember& element) -> Result<void> {
     Result<double> seconds = element.number("t");
     if (!seconds) return fail(std::move(seconds));
     Result<Vec2> position = element.pair("x", "z");
@@ -162,15 +110,15 @@ Result<void> readMoving(const Member& member, Scene& scene) {
   return {};
 }
 
-Result<void> readObstacles(const Member& member, Scene& scene) {
-  Result<void> obstacles = member.each("obstacles", kMostObstacles,
-                                       [&](const Member& element) { return readObstacle(element, scene); });
+Result<void> readObstacles(const JsonMember& member, Scene& scene) {
+  Result<void> obstacles = member.each(
+      "obstacles", kMostObstacles, [&](const JsonMember& element) { return readObstacle(element, scene); });
   if (!obstacles || member.find("moving") == nullptr) return obstacles;
   return member.each("moving", kMostObstacles,
-                     [&](const Member& element) { return readMoving(element, scene); });
+                     [&](const JsonMember& element) { return readMoving(element, scene); });
 }
 
-Result<void> readSizes(const Member& member, Scene& scene) {
+Result<void> readSizes(const JsonMember& member, Scene& scene) {
   Result<Vec2> size = member.pair("width", "depth");
   if (!size) return fail(std::move(size));
   scene.widthMetres = size->x();
@@ -179,6 +127,70 @@ Result<void> readSizes(const Member& member, Scene& scene) {
   if (!radius) return fail(std::move(radius));
   scene.radiusMetres = *radius;
   return {};
+}
+
+Result<void> readWalker(const JsonMember& member, Scene& scene) {
+  Result<Placement> start = readPlacement(member, "start");
+  if (!start) return fail(std::move(start));
+  Result<Placement> goal = readPlacement(member, "goal");
+  if (!goal) return fail(std::move(goal));
+  scene.walkers.push_back({*start, *goal});
+  return {};
+}
+
+Result<void> readWalkers(const JsonMember& member, Scene& scene) {
+  Result<Placement> start = readPlacement(member, "start");
+  if (!start) return fail(std::move(start));
+  scene.start = *start;
+  Result<Placement> goal = readPlacement(member, "goal");
+  if (!goal) return fail(std::move(goal));
+  scene.goal = *goal;
+  if (member.find("walkers") == nullptr) return {};
+  return member.each("walkers", kMostWalkers,
+                     [&](const JsonMember& element) { return readWalker(element, scene); });
+}
+
+Result<void> readOptional(const JsonMember& member, std::string_view name, std::optional<double>& value) {
+  if (member.find(name) == nullptr) return {};
+  Result<double> number = member.number(name);
+  if (!number) return fail(std::move(number));
+  value = *number;
+  return {};
+}
+
+Result<void> readArea(const JsonMember& member, WalkConstraints& constraints) {
+  Result<Rectangle> rectangle = readRectangle(member);
+  if (!rectangle) return fail(std::move(rectangle));
+  Result<AreaKind> kind = readNamed(member, "kind", areaKindFromName, "\"avoid\" or \"prefer\"");
+  if (!kind) return fail(std::move(kind));
+  constraints.areas.push_back({*rectangle, *kind});
+  return {};
+}
+
+Result<void> readConstraints(const JsonMember& scene, WalkConstraints& constraints) {
+  if (scene.find("constraints") == nullptr) return {};
+  Result<JsonMember> member = scene.object("constraints");
+  if (!member) return fail(std::move(member));
+  if (member->find("gait") != nullptr) {
+    Result<Gait> gait = readNamed(*member, "gait", gaitFromName, "\"walk\" or \"run\"");
+    if (!gait) return fail(std::move(gait));
+    constraints.gait = *gait;
+  }
+  if (Result<void> least = readOptional(*member, "min_speed_m_s", constraints.minSpeedMetresPerSecond);
+      !least) {
+    return least;
+  }
+  if (Result<void> most = readOptional(*member, "max_speed_m_s", constraints.maxSpeedMetresPerSecond);
+      !most) {
+    return most;
+  }
+  if (Result<void> arrival = readOptional(*member, "latest_arrival_s", constraints.latestArrivalSeconds);
+      !arrival) {
+    return arrival;
+  }
+  if (member->find("areas") == nullptr) return {};
+  return member->each("areas", kMostAreas,
+                      [&](const JsonMember& element) { return readArea(element, constraints); });
 }
 
 std::string unknownMembersOf(const Json& json) {
@@ -191,7 +203,7 @@ std::string unknownMembersOf(const Json& json) {
 
 Result<Scene> readMembers(const Json& json) {
   if (!json.is_object()) return unexpectedValue("scene", &json, "an object");
-  const Member member(json, "");
+  const JsonMember member(json, "");
   Scene scene;
   if (Result<void> version = readVersion(member); !version) return fail(std::move(version));
   Result<std::string> name = readName(member);
@@ -199,12 +211,8 @@ Result<Scene> readMembers(const Json& json) {
   scene.name = std::move(*name);
   if (Result<void> sizes = readSizes(member, scene); !sizes) return fail(std::move(sizes));
   if (Result<void> obstacles = readObstacles(member, scene); !obstacles) return fail(std::move(obstacles));
-  Result<Placement> start = readPlacement(member, "start");
-  if (!start) return fail(std::move(start));
-  scene.start = *start;
-  Result<Placement> goal = readPlacement(member, "goal");
-  if (!goal) return fail(std::move(goal));
-  scene.goal = *goal;
+  if (Result<void> walkers = readWalkers(member, scene); !walkers) return fail(std::move(walkers));
+  if (Result<void> read = readConstraints(member, scene.constraints); !read) return fail(std::move(read));
   Result<std::uint64_t> seed = readSeed(member);
   if (!seed) return fail(std::move(seed));
   scene.seed = *seed;

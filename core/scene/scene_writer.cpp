@@ -8,7 +8,7 @@
 #include "scene/json_text.h"
 #include "scene/scene_json.h"
 #include "scene/scene_members.h"
-#include "scene/track_repeat.h"
+#include "scene/scene_names.h"
 
 namespace stridegraph {
 
@@ -31,10 +31,24 @@ std::string placementText(const Placement& placement) {
   return text + "}";
 }
 
+/// The members of a rectangle, without braces.
+std::string rectangleMembers(const Rectangle& rectangle) {
+  return fmt::format(R"("x": {}, "z": {}, "width": {}, "depth": {})", numberText(rectangle.centre.x()),
+                     numberText(rectangle.centre.y()), numberText(rectangle.size.x()),
+                     numberText(rectangle.size.y()));
+}
+
 std::string obstacleText(const Rectangle& obstacle) {
-  return fmt::format(R"({{"x": {}, "z": {}, "width": {}, "depth": {}}})", numberText(obstacle.centre.x()),
-                     numberText(obstacle.centre.y()), numberText(obstacle.size.x()),
-                     numberText(obstacle.size.y()));
+  return fmt::format("{{{}}}", rectangleMembers(obstacle));
+}
+
+std::string areaText(const Area& area) {
+  return fmt::format(R"({{{}, "kind": "{}"}})", rectangleMembers(area.rectangle), areaKindName(area.kind));
+}
+
+std::string walkerText(const Walker& walker) {
+  return fmt::format(R"({{"start": {}, "goal": {}}})", placementText(walker.start),
+                     placementText(walker.goal));
 }
 
 /// Texts one below the other, as a JSON list.
@@ -45,6 +59,25 @@ std::string listText(const List& list, const ToText& toText) {
     text += fmt::format("{}\n    {}", text.size() == 1 ? "" : ",", toText(element));
   }
   return text + (list.empty() ? "]" : "\n  ]");
+}
+
+std::string constraintsText(const WalkConstraints& constraints) {
+  std::string text;
+  const auto append = [&](std::string_view member, std::string_view value) {
+    text += fmt::format("{}\"{}\": {}", text.empty() ? "" : ", ", member, value);
+  };
+  if (constraints.gait) append("gait", fmt::format("\"{}\"", gaitName(*constraints.gait)));
+  if (constraints.minSpeedMetresPerSecond) {
+    append("min_speed_m_s", numberText(*constraints.minSpeedMetresPerSecond));
+  }
+  if (constraints.maxSpeedMetresPerSecond) {
+    append("max_speed_m_s", numberText(*constraints.maxSpeedMetresPerSecond));
+  }
+  if (constraints.latestArrivalSeconds) {
+    append("latest_arrival_s", numberText(*constraints.latestArrivalSeconds));
+  }
+  if (!constraints.areas.empty()) append("areas", listText(constraints.areas, areaText));
+  return fmt::format("{{{}}}", text);
 }
 
 std::string movingText(const MovingObstacle& moving) {
@@ -77,6 +110,8 @@ std::string writeSceneJson(const Scene& scene) {
   if (!scene.moving.empty()) append("moving", listText(scene.moving, movingText));
   append("start", placementText(scene.start));
   append("goal", placementText(scene.goal));
+  if (!scene.walkers.empty()) append("walkers", listText(scene.walkers, walkerText));
+  if (scene.constraints.any()) append("constraints", constraintsText(scene.constraints));
   append("radius", numberText(scene.radiusMetres));
   append("seed", fmt::format("{}", scene.seed));
   if (!scene.unknownMembers.empty()) {

@@ -106,6 +106,7 @@ struct Plan {
   std::vector<std::pair<Vec2, Vec2>> roadmap;  ///< Edges of the roadmap or of both trees.
   std::vector<Vec2> path;                      ///< From start to goal; empty when there is none.
   std::vector<Vec2> subgoals;
+  std::vector<Plan> others;  ///< Walks of the scene's further walkers, in their order.
 };
 
 /// A library made ready for planning walk after walk: the session facade. Immutable; planning the same scene

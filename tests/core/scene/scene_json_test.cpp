@@ -18,7 +18,11 @@ namespace {
 const std::string kValid = R"({"version": 1, "name": "Hall", "width": 20, "depth": 12,
  "obstacles": [{"x": 10, "z": 2.2, "width": 1, "depth": 7.4}, {"x": 4, "z": 9, "width": 2, "depth": 1}],
  "moving": [{"width": 1, "depth": 2, "repeat": "pingpong", "track": [{"t": 0, "x": 1, "z": 5}, {"t": 2.5, "x": 3, "z": 5}]}],
- "start": {"x": 3, "z": 3, "heading_deg": 90}, "goal": {"x": 17, "z": 3}, "radius": 0.35, "seed": 18446744073709551615})";
+ "start": {"x": 3, "z": 3, "heading_deg": 90}, "goal": {"x": 17, "z": 3},
+ "walkers": [{"start": {"x": 5, "z": 6}, "goal": {"x": 6, "z": 7, "heading_deg": 45}}],
+ "constraints": {"gait": "run", "min_speed_m_s": 0.8, "max_speed_m_s": 1.6, "latest_arrival_s": 19.5,
+  "areas": [{"x": 8, "z": 9, "width": 2.5, "depth": 3, "kind": "prefer"}]},
+ "radius": 0.35, "seed": 18446744073709551615})";
 
 /// The valid scene with one piece of its text replaced.
 std::string changed(const std::string& from, const std::string& to) {
@@ -50,6 +54,19 @@ TEST(SceneJson, readsEveryMember) {
   EXPECT_EQ(scene->moving[0].track[1].position, Vec2(3.0, 5.0));
   EXPECT_EQ(scene->start.heading, Angle::degrees(90.0));
   EXPECT_EQ(scene->goal.heading, std::nullopt);
+  ASSERT_EQ(scene->walkers.size(), 1U);
+  EXPECT_EQ(scene->walkers[0].start.position, Vec2(5.0, 6.0));
+  EXPECT_EQ(scene->walkers[0].start.heading, std::nullopt);
+  EXPECT_EQ(scene->walkers[0].goal.position, Vec2(6.0, 7.0));
+  EXPECT_EQ(scene->walkers[0].goal.heading, Angle::degrees(45.0));
+  EXPECT_EQ(scene->constraints.gait, Gait::kRun);
+  EXPECT_EQ(scene->constraints.minSpeedMetresPerSecond, 0.8);
+  EXPECT_EQ(scene->constraints.maxSpeedMetresPerSecond, 1.6);
+  EXPECT_EQ(scene->constraints.latestArrivalSeconds, 19.5);
+  ASSERT_EQ(scene->constraints.areas.size(), 1U);
+  expectSameRectangle(scene->constraints.areas[0].rectangle.centre,
+                      scene->constraints.areas[0].rectangle.size, {{8.0, 9.0}, {2.5, 3.0}});
+  EXPECT_EQ(scene->constraints.areas[0].kind, AreaKind::kPrefer);
   EXPECT_EQ(scene->radiusMetres, 0.35);
   EXPECT_EQ(scene->seed, std::numeric_limits<std::uint64_t>::max());
   EXPECT_EQ(scene->unknownMembers, "");
@@ -62,6 +79,8 @@ TEST(SceneJson, fillsInWhatMayBeMissing) {
   EXPECT_EQ(scene->radiusMetres, 0.4);
   EXPECT_EQ(scene->seed, 1U);
   EXPECT_EQ(scene->name, "");
+  EXPECT_TRUE(scene->walkers.empty());
+  EXPECT_FALSE(scene->constraints.any());
 }
 
 TEST(SceneJson, namesMembersThatAreMissingOrOfTheWrongType) {
@@ -77,6 +96,16 @@ TEST(SceneJson, namesMembersThatAreMissingOrOfTheWrongType) {
   EXPECT_EQ(refusal(changed("90", "\"east\"")), "start.heading_deg: found \"east\", expected a number");
   EXPECT_EQ(refusal(changed(R"([{"t": 0, "x": 1, "z": 5}, {"t": 2.5, "x": 3, "z": 5}])", "7")),
             "moving[0].track: found 7, expected a list");
+  EXPECT_EQ(refusal(changed(R"("start": {"x": 5, "z": 6}, )", "")),
+            "walkers[0].start: found nothing, expected an object");
+  EXPECT_EQ(refusal(changed(R"("heading_deg": 45)", R"("heading_deg": null)")),
+            "walkers[0].goal.heading_deg: found null, expected a number");
+  EXPECT_EQ(refusal(changed(R"("run")", R"("swim")")),
+            "constraints.gait: found \"swim\", expected \"walk\" or \"run\"");
+  EXPECT_EQ(refusal(changed(R"("latest_arrival_s": 19.5)", R"("latest_arrival_s": "soon")")),
+            "constraints.latest_arrival_s: found \"soon\", expected a number");
+  EXPECT_EQ(refusal(changed(R"(, "kind": "prefer")", "")),
+            "constraints.areas[0].kind: found nothing, expected \"avoid\" or \"prefer\"");
   EXPECT_EQ(refusal("[1, 2]"), "scene: found a list, expected an object");
   EXPECT_EQ(refusal(changed(R"({"x": 4, "z": 9, "width": 2, "depth": 1})", "4")),
             "obstacles[1]: found 4, expected an object");
@@ -89,7 +118,20 @@ TEST(SceneJson, namesMembersOutOfRange) {
   EXPECT_EQ(refusal(changed(R"("width": 2,)", R"("width": 0,)")),
             "obstacles[1].width: found 0, expected a number above 0");
   EXPECT_EQ(refusal(changed("0.35", "0")), "radius: found 0, expected a number from 0.05 to 5");
-  EXPECT_EQ(refusal(changed("2.5", "0")), "moving[0].track[1].t: found 0, expected a time above 0");
+  EXPECT_EQ(refusal(changed("0.8", "-0.1")),
+            "constraints.min_speed_m_s: found -0.1, expected a number from 0 to 1.6");
+  EXPECT_EQ(refusal(changed("0.8", "1.7")),
+            "constraints.min_speed_m_s: found 1.7, expected a number from 0 to 1.6");
+  EXPECT_EQ(refusal(changed("1.6", "10.5")),
+            "constraints.max_speed_m_s: found 10.5, expected a number from 0 to 10");
+  EXPECT_EQ(refusal(changed("19.5", "0")),
+            "constraints.latest_arrival_s: found 0, expected a number above 0 and at most 3600");
+  EXPECT_EQ(refusal(changed("19.5", "3601")),
+            "constraints.latest_arrival_s: found 3601, expected a number above 0 and at most 3600");
+  EXPECT_EQ(refusal(changed(R"("width": 2.5, "depth": 3)", R"("width": 2.5, "depth": 0)")),
+            "constraints.areas[0].depth: found 0, expected a number above 0");
+  EXPECT_EQ(refusal(changed(R"("t": 2.5)", R"("t": 0)")),
+            "moving[0].track[1].t: found 0, expected a time above 0");
   EXPECT_EQ(refusal(changed(R"([{"t": 0, "x": 1, "z": 5}, {"t": 2.5, "x": 3, "z": 5}])", "[]")),
             "moving[0].track: found 0 elements, expected at least 1");
 }
@@ -107,6 +149,27 @@ TEST(SceneJson, refusesMoreObstaclesThanAnyoneDraws) {
   for (int i = 0; i < 10'000; ++i) many += "," + list;
   EXPECT_EQ(refusal(changed(R"({"x": 4, "z": 9, "width": 2, "depth": 1})", many)),
             "obstacles: found 10002 elements, expected at most 10000");
+}
+
+TEST(SceneJson, refusesMoreWalkersAndAreasThanItAllows) {
+  const std::string walker = R"({"start": {"x": 5, "z": 6}, "goal": {"x": 6, "z": 7, "heading_deg": 45}})";
+  std::string walkers = walker;
+  for (int i = 0; i < 100; ++i) walkers += "," + walker;
+  EXPECT_EQ(refusal(changed(walker, walkers)), "walkers: found 101 elements, expected at most 100");
+  const std::string area = R"({"x": 8, "z": 9, "width": 2.5, "depth": 3, "kind": "prefer"})";
+  std::string areas = area;
+  for (int i = 0; i < 1000; ++i) areas += "," + area;
+  EXPECT_EQ(refusal(changed(area, areas)), "constraints.areas: found 1001 elements, expected at most 1000");
+}
+
+TEST(SceneJson, writesWalkersAndConstraintsOnlyWhenThereAreSome) {
+  Scene scene = *readSceneJson(kValid);
+  EXPECT_NE(writeSceneJson(scene).find("\"walkers\""), std::string::npos);
+  EXPECT_NE(writeSceneJson(scene).find("\"constraints\""), std::string::npos);
+  scene.walkers.clear();
+  scene.constraints = {};
+  EXPECT_EQ(writeSceneJson(scene).find("\"walkers\""), std::string::npos);
+  EXPECT_EQ(writeSceneJson(scene).find("\"constraints\""), std::string::npos);
 }
 
 TEST(SceneJson, pointsAtTheLineAndColumnOfBrokenText) {
@@ -180,6 +243,9 @@ TEST(SceneJson, checksScenesMadeInCode) {
   scene.goal.position.x() = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(checkScene(scene).error().message, "goal.x: found nan, expected a finite number");
   EXPECT_FALSE(readSceneJson(writeSceneJson(scene)));
+  scene = *readSceneJson(kValid);
+  scene.walkers[0].goal.position.y() = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(checkScene(scene).error().message, "walkers[0].goal.z: found inf, expected a finite number");
 }
 
 TEST(SceneJson, readsEverySampleSceneAndWritesItAsItStands) {

@@ -52,6 +52,26 @@ TEST(SceneLink, givesBackTheSceneItWasMadeFrom) {
   }
 }
 
+TEST(SceneLink, keepsScenesThatOldProgramsKnowInTheirVersion) {
+  // "A small room": 6 m by 5 m, one wall, planned with library 0x1f, as version 1 wrote it.
+  constexpr std::string_view kOld =
+      "s=AQZndWlkZWQfAAAAAAAAAAxBIHNtYWxsIHJvb22A0w7AmgyAfQHAuALAuAIBgN3bAcCaDMC4AgABwKkH4NQDwD7AqQcAAGhpU7I";
+  const Result<SharedScene> old = decodeLink(kOld);
+  ASSERT_TRUE(old) << old.error().message;
+  EXPECT_EQ(old->scene.name, "A small room");
+  ASSERT_EQ(old->scene.obstacles.size(), 1U);
+  EXPECT_EQ(old->scene.obstacles[0].size, Vec2(0.2, 3.0));
+  EXPECT_TRUE(old->scene.walkers.empty());
+  EXPECT_EQ(encodeLink(*old), kOld);
+  SharedScene more = *old;
+  more.scene.walkers.push_back({more.scene.goal, more.scene.start});
+  EXPECT_EQ(bodyOf(encodeLink(more))[0], 2);
+  more = *old;
+  more.scene.constraints.gait = Gait::kWalk;
+  EXPECT_EQ(bodyOf(encodeLink(more))[0], 2);
+  EXPECT_EQ(decodeLink(encodeLink(more))->scene.constraints.gait, Gait::kWalk);
+}
+
 TEST(SceneLink, usesOnlyLettersThatAddressesAllowAndTakesAHash) {
   const std::string link = encodeLink(sharedHall());
   EXPECT_EQ(link.substr(0, 2), "s=");
@@ -109,12 +129,12 @@ TEST(SceneLink, saysInASentenceWhatIsWrong) {
 
 TEST(SceneLink, tellsANewerLinkFromABrokenOne) {
   std::vector<std::uint8_t> bytes = bodyOf(encodeLink(sharedHall()));
-  bytes[0] = 2;
+  bytes[0] = 3;
   const Result<SharedScene> shared = decodeLink(linkOf(bytes));
   ASSERT_FALSE(shared);
   EXPECT_EQ(shared.error().code, ErrorCode::kLinkVersion);
   EXPECT_EQ(shared.error().message,
-            "the link was made by a newer program: found version 2, expected at most 1");
+            "the link was made by a newer program: found version 3, expected at most 2");
 }
 
 TEST(SceneLink, survivesForgedBytesBehindAGoodChecksum) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 
 #include "math/random.h"
 #include "scene/scene.h"
@@ -18,6 +19,25 @@ inline double randomNumber(Random& random, double low, double high) {
 inline Vec2 randomPair(Random& random, double low, double high) {
   const double x = randomNumber(random, low, high);
   return {x, randomNumber(random, low, high)};
+}
+
+inline std::optional<double> maybeNumber(Random& random, double low, double high) {
+  if (random.below(2) == 0) return std::nullopt;
+  return randomNumber(random, low, high);
+}
+
+inline WalkConstraints randomConstraints(Random& random) {
+  WalkConstraints constraints;
+  if (random.below(2) == 0) constraints.gait = random.below(2) == 0 ? Gait::kWalk : Gait::kRun;
+  constraints.minSpeedMetresPerSecond = maybeNumber(random, 0.0, 2.0);
+  constraints.maxSpeedMetresPerSecond = maybeNumber(random, 2.0, 10.0);
+  constraints.latestArrivalSeconds = maybeNumber(random, 0.1, 3600.0);
+  constraints.areas.resize(random.below(4));
+  for (Area& area : constraints.areas) {
+    area.rectangle = {randomPair(random, -5.0, 1005.0), randomPair(random, 0.1, 300.0)};
+    area.kind = random.below(2) == 0 ? AreaKind::kAvoid : AreaKind::kPrefer;
+  }
+  return constraints;
 }
 
 /// A valid scene with something in every member; headings are such as JSON gives.
@@ -46,6 +66,12 @@ inline Scene randomScene(Random& random) {
   scene.start.position = randomPair(random, -1.0, 1001.0);
   scene.goal.position = {-0.0, 1e-17};
   scene.start.heading = Angle::degrees(randomNumber(random, -400.0, 400.0));
+  scene.walkers.resize(random.below(4));
+  for (Walker& walker : scene.walkers) {
+    walker.start.position = randomPair(random, 0.0, 50.0);
+    walker.goal = {randomPair(random, 0.0, 50.0), Angle::degrees(randomNumber(random, -400.0, 400.0))};
+  }
+  if (random.below(2) == 0) scene.constraints = randomConstraints(random);
   scene.radiusMetres = randomNumber(random, 0.1, 5.0);
   scene.seed = random.bits();
   scene.unknownMembers = random.below(2) == 0 ? "" : R"({"note":"kept","list":[1,2.5,{}]})";
@@ -55,6 +81,19 @@ inline Scene randomScene(Random& random) {
 inline void expectSameRectangle(const Vec2& centre, const Vec2& size, const Rectangle& expected) {
   EXPECT_EQ(centre, expected.centre);
   EXPECT_EQ(size, expected.size);
+}
+
+inline void expectSameConstraints(const WalkConstraints& constraints, const WalkConstraints& expected) {
+  EXPECT_EQ(constraints.gait, expected.gait);
+  EXPECT_EQ(constraints.minSpeedMetresPerSecond, expected.minSpeedMetresPerSecond);
+  EXPECT_EQ(constraints.maxSpeedMetresPerSecond, expected.maxSpeedMetresPerSecond);
+  EXPECT_EQ(constraints.latestArrivalSeconds, expected.latestArrivalSeconds);
+  ASSERT_EQ(constraints.areas.size(), expected.areas.size());
+  for (std::size_t i = 0; i < constraints.areas.size(); ++i) {
+    const Area& area = constraints.areas[i];
+    expectSameRectangle(area.rectangle.centre, area.rectangle.size, expected.areas[i].rectangle);
+    EXPECT_EQ(area.kind, expected.areas[i].kind);
+  }
 }
 
 inline void expectSameScene(const Scene& scene, const Scene& expected) {
@@ -80,6 +119,14 @@ inline void expectSameScene(const Scene& scene, const Scene& expected) {
   EXPECT_EQ(scene.goal.position, expected.goal.position);
   EXPECT_EQ(std::signbit(scene.goal.position.x()), std::signbit(expected.goal.position.x()));
   EXPECT_EQ(scene.goal.heading, expected.goal.heading);
+  ASSERT_EQ(scene.walkers.size(), expected.walkers.size());
+  for (std::size_t i = 0; i < scene.walkers.size(); ++i) {
+    EXPECT_EQ(scene.walkers[i].start.position, expected.walkers[i].start.position);
+    EXPECT_EQ(scene.walkers[i].start.heading, expected.walkers[i].start.heading);
+    EXPECT_EQ(scene.walkers[i].goal.position, expected.walkers[i].goal.position);
+    EXPECT_EQ(scene.walkers[i].goal.heading, expected.walkers[i].goal.heading);
+  }
+  expectSameConstraints(scene.constraints, expected.constraints);
   EXPECT_EQ(scene.radiusMetres, expected.radiusMetres);
   EXPECT_EQ(scene.seed, expected.seed);
   EXPECT_EQ(scene.unknownMembers, expected.unknownMembers);
