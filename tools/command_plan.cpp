@@ -66,7 +66,7 @@ int runPlan(const PlanArguments& arguments) {
   const bool arrived = report.status == PlanStatus::kArrived;
   if (arrived) written = writeWalk(arguments.walkPath, *library, plan->walk);
   if (written && !arguments.reportPath.empty())
-    written = writeFile(arguments.reportPath, toJson(report) + "\n");
+    written = writeFile(arguments.reportPath, toJson(*plan) + "\n");
   if (!written) {
     fmt::print(stderr, "stridegraph plan: {}\n", describe(written.error()));
     return kWrongUse;

@@ -14,6 +14,11 @@ std::span<Quat> Clip::rotationsOf(std::size_t frame) {
   return std::span(rotations).subspan(frame * jointCount, jointCount);
 }
 
+std::span<const Quat> Clip::rotationsOf(std::size_t frame) const {
+  STRIDEGRAPH_CHECK(frame < frameCount());
+  return std::span(rotations).subspan(frame * jointCount, jointCount);
+}
+
 void Clip::append(const PoseView& pose) {
   STRIDEGRAPH_CHECK(pose.rotations.size() == jointCount);
   rootPositions.push_back(pose.rootPosition);

@@ -35,6 +35,7 @@ struct Clip {
   std::size_t frameCount() const { return rootPositions.size(); }
   PoseView pose(std::size_t frame) const;
   std::span<Quat> rotationsOf(std::size_t frame);
+  std::span<const Quat> rotationsOf(std::size_t frame) const;
   /// Appends a frame; the pose must have jointCount rotations.
   void append(const PoseView& pose);
 };

@@ -14,6 +14,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kFineCellMetres = 0.1;
 constexpr double kCoarseCellMetres = 0.2;
 constexpr double kFineAreaSquareMetres = 5000.0;
+constexpr double kMostWeight = 100.0;
 constexpr double kMostCells = 4'000'000.0;
 constexpr float kLeastStep = 0.7F;  ///< Share of a cell: a little less than 1 / sqrt(2).
 
@@ -39,6 +40,7 @@ float eikonalUpdate(float a, float b, float h) {
 /// that adds to the distances is less than first-order marching does itself.
 struct DistanceField::Marching {
   std::vector<std::uint8_t> closed;  ///< Wall or final.
+  std::vector<float> widths;         ///< Of each cell in weighted metres; empty where all are alike.
   std::vector<std::vector<std::uint32_t>> rings;
   float inverseWidth = 1.0F;
   std::size_t current = 0;  ///< Ring at hand, counted from value 0.
@@ -69,6 +71,7 @@ DistanceField::DistanceField(const FloorPlan& plan, const Vec2& goal, const Para
   Marching marching;
   closeBlockedCells(plan, marching);
   openCellsAlong(params.openPath, marching);
+  if (params.weight) weighCells(params.weight, marching);
   if (plan.isFree(goal)) seedAroundGoal(plan, params.exactRadiusMetres, marching);
   march(marching);
 }
@@ -106,10 +109,23 @@ void DistanceField::openCellsAlong(const std::vector<Vec2>& path, Marching& marc
   }
 }
 
+void DistanceField::weighCells(const std::function<double(const Vec2&)>& weight, Marching& marching) const {
+  marching.widths.resize(values_.size());
+  for (std::size_t r = 1; r <= rows_; ++r) {
+    for (std::size_t c = 1; c <= columns_; ++c) {
+      const double width = std::clamp(weight(centreOf(c, r)), 1.0, kMostWeight) * cellMetres_;
+      marching.widths[indexOf(c, r)] = static_cast<float>(width);
+    }
+  }
+}
+
 void DistanceField::seedAroundGoal(const FloorPlan& plan, double exactRadiusMetres, Marching& marching) {
   const std::size_t goalCell = cellUnder(goal_);
   const double radius = std::max(exactRadiusMetres, 2.0 * cellMetres_);
-  marching.begin(cellMetres_, radius + 2.0 * cellMetres_);
+  const double widest = marching.widths.empty()
+                            ? cellMetres_
+                            : double{*std::max_element(marching.widths.begin(), marching.widths.end())};
+  marching.begin(cellMetres_, radius + 2.0 * widest);
   const auto reach = static_cast<std::ptrdiff_t>(std::ceil(radius * inverseCell_));
   const auto column = static_cast<std::ptrdiff_t>(goalCell % stride_);
   const auto row = static_cast<std::ptrdiff_t>(goalCell / stride_);
@@ -150,9 +166,9 @@ void DistanceField::march(Marching& marching) {
       for (const std::ptrdiff_t offset : offsets) {
         const std::size_t next = cell + static_cast<std::size_t>(offset);
         if (values[next] <= lowest || closed[next] != 0) continue;
-        const float updated =
-            eikonalUpdate(std::min(values[next - 1], values[next + 1]),
-                          std::min(values[next - stride_], values[next + stride_]), cellMetres);
+        const float width = marching.widths.empty() ? cellMetres : marching.widths[next];
+        const float updated = eikonalUpdate(std::min(values[next - 1], values[next + 1]),
+                                            std::min(values[next - stride_], values[next + stride_]), width);
         if (updated >= values[next]) continue;
         values[next] = updated;
         marching.push(updated, next);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "math/types.h"
@@ -22,6 +23,9 @@ class DistanceField {
     /// A path known to be free, for instance the planner's: its cells count as open even where the grid is
     /// too coarse to see the gap. May be empty.
     std::vector<Vec2> openPath;
+    /// How many metres a metre counts for at a place, 1..100; null where all count the same. Values are then
+    /// weighted metres.
+    std::function<double(const Vec2&)> weight;
   };
 
   DistanceField(const FloorPlan& plan, const Vec2& goal) : DistanceField(plan, goal, Params{}) {}
@@ -63,6 +67,7 @@ class DistanceField {
   std::size_t cellUnder(const Vec2& point) const;
   void closeBlockedCells(const FloorPlan& plan, Marching& marching) const;
   void openCellsAlong(const std::vector<Vec2>& path, Marching& marching) const;
+  void weighCells(const std::function<double(const Vec2&)>& weight, Marching& marching) const;
   void seedAroundGoal(const FloorPlan& plan, double exactRadiusMetres, Marching& marching);
   void march(Marching& marching);
   double nearbyMetres(const Vec2& point, int reach) const;

@@ -53,7 +53,7 @@ struct Area {
   AreaKind kind = AreaKind::kAvoid;
 };
 
-/// What every walk of a scene keeps to, beyond getting there (Treiber 2011, 4.2.2). Nothing set: anything
+/// What every walk of a scene keeps to, beyond getting there (Alankus 2005, 4.2.2). Nothing set: anything
 /// goes.
 struct WalkConstraints {
   std::optional<Gait> gait;

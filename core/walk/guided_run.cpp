@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace stridegraph {
 namespace {
@@ -11,6 +12,9 @@ constexpr std::uint64_t kExpansionsBetweenTimeChecks = 256;
 /// Arrivals looked at for one state: the cheapest that end at the goal.
 constexpr std::size_t kArrivalsTried = 6;
 constexpr std::size_t kArrivalsOpened = 2;
+
+/// States so near in time are one where time matters.
+constexpr std::uint32_t kFramesTogether = 15;
 
 /// Ends looked at before the first is taken though it is not accepted.
 constexpr std::size_t kEndsTried = 80;
@@ -31,6 +35,13 @@ void appendWay(const SearchGraph& graph, const SearchEdge& way, std::uint32_t la
 GuidedRun::GuidedRun(const MotionQuery& query, const GuidedSearchParams& params, const GuidedStage& stage,
                      CostToGo& costToGo, const DistanceField& field, const WalkEnd& end)
     : query_(query), params_(params), stage_(stage), costToGo_(costToGo), field_(field), end_(end) {
+  const double framesPerSecond = query.library.frames.framesPerSecond;
+  if (query.constraints != nullptr && query.constraints->any()) {
+    wishes_.emplace(*query.constraints, framesPerSecond);
+    if (const std::optional<double>& latest = query.constraints->latestArrivalSeconds)
+      lastFrame_ = static_cast<std::uint32_t>(*latest * framesPerSecond);
+  }
+  timed_ = lastFrame_ != kNone || (query.traffic != nullptr && !query.traffic->empty());
   if (!end.facing || !query.goal.heading) return;
   goalHeading_ = Heading::fromAngle(*query.goal.heading);
   goalCosine_ = Heading::fromAngle(query.goalTurn).cos;
@@ -41,7 +52,11 @@ MotionResult GuidedRun::search(std::span<const Heading> startHeadings, std::uint
   costBound_ = costBound;
   MotionResult result;
   std::size_t ends = 0;
-  for (const Heading& heading : startHeadings) begin({query_.start.position, heading});
+  if (query_.onward) {
+    beginOnward(*query_.onward);
+  } else {
+    for (const Heading& heading : startHeadings) begin({query_.start.position, heading});
+  }
   while (!open_.empty()) {
     const std::uint32_t id = open_.pop();
     const State state = states_[id];
@@ -72,84 +87,118 @@ MotionResult GuidedRun::search(std::span<const Heading> startHeadings, std::uint
 void GuidedRun::begin(const FloorTransform& start) {
   for (const SearchStart& first : query_.tables.graph.starts()) {
     const bool charged = query_.standing && query_.tables.graph.canStartStanding() && !first.stands;
-    reach(kNone, start, charged ? params_.cost.movingStart : 0.0, first.edge);
+    State from;
+    from.placement = start;
+    from.cost = charged ? params_.cost.movingStart : 0.0;
+    reach(kNone, from, first.edge);
     startOf_.resize(states_.size(), start.heading);
   }
 }
 
+void GuidedRun::beginOnward(const Onward& onward) {
+  State state;
+  state.placement = onward.placement;
+  state.node = onward.node;
+  state.frame = onward.frame;
+  trouble_.begun = true;
+  open(state, costToGo_.metres(onward.node, onward.placement));
+}
+
 void GuidedRun::expand(std::uint32_t id) {
   const State state = states_[id];
-  if (end_.standing) openArrival(id, state);
-  for (const SearchEdge& edge : query_.tables.graph.edgesFrom(state.via->to)) {
-    reach(id, state.placement, state.cost, edge);
+  const double left = field_.metresToGoal(state.placement.translation);
+  if (left < trouble_.metresLeft) {
+    trouble_.metresLeft = left;
+    trouble_.nearest = state.placement.translation;
   }
+  if (end_.standing) openArrival(id, state);
+  for (const SearchEdge& edge : query_.tables.graph.edgesFrom(state.node)) reach(id, state, edge);
 }
 
 /// Opens the state at the end of a way, and the walk's end on it if there is one. Whether the way is free is
 /// asked only when its turn comes.
-void GuidedRun::reach(std::uint32_t parent, const FloorTransform& from, double cost, const SearchEdge& edge) {
-  openEndOn(parent, from, cost, edge);
+void GuidedRun::reach(std::uint32_t parent, const State& from, const SearchEdge& edge) {
+  openEndOn(parent, from, edge);
   if (edge.to == kNone) return;
-  const State state{from * edge.end, cost + costOf(edge), &edge, parent, kNone, kNone};
+  State state;
+  state.placement = from.placement * edge.end;
+  state.node = edge.to;
+  state.frame = from.frame + edge.sampleCount;
+  state.via = &edge;
+  state.parent = parent;
   if (closed_.contains(key(state))) return;
+  state.cost = from.cost + costOf(from.placement, edge);
   const double toGo = costToGo(state);
   if (std::isfinite(toGo)) open(state, toGo);
 }
 
-void GuidedRun::openEndOn(std::uint32_t parent, const FloorTransform& from, double cost,
-                          const SearchEdge& edge) {
+/// Opens the end of the walk on a way where one of its samples will do: the one nearest to the goal.
+void GuidedRun::openEndOn(std::uint32_t parent, const State& from, const SearchEdge& edge) {
+  const FloorTransform& placement = from.placement;
   const double reach = edge.lengthMetres + end_.radiusMetres;
-  if ((from.translation - query_.goal.position).squaredNorm() > reach * reach) return;
+  if ((placement.translation - query_.goal.position).squaredNorm() > reach * reach) return;
   if (end_.standing && edge.settledSample == kNone) return;
   const std::span<const Eigen::Vector2f> samples = query_.tables.graph.samplesOf(edge);
   const std::span<const Eigen::Vector2f> headings = query_.tables.graph.headingsOf(edge);
   double nearest = end_.radiusMetres;
-  std::uint32_t goalSample = kNone;
+  State end = from;
+  end.node = kNone;
+  end.via = &edge;
+  end.parent = parent;
   const std::uint32_t first = end_.standing ? edge.settledSample : 0;
   const std::uint32_t last = end_.standing ? first : edge.sampleCount - 1;
   for (std::uint32_t s = first; s <= last; ++s) {
-    const Vec2 point = from * Vec2(samples[s].cast<double>());
+    const Vec2 point = placement * Vec2(samples[s].cast<double>());
     const double toGoal = (point - query_.goal.position).norm();
     if (toGoal >= nearest) continue;
-    if (!facesGoal(from.heading + Heading{double{headings[s].x()}, double{headings[s].y()}})) continue;
+    if (!facesGoal(placement.heading + Heading{double{headings[s].x()}, double{headings[s].y()}})) continue;
     nearest = toGoal;
-    goalSample = s;
+    end.goalSample = s;
   }
-  openEnd(parent, from, cost, edge, goalSample);
+  if (end.goalSample == kNone || from.frame + end.goalSample + 1 > lastFrame_) return;
+  end.cost += costOf(placement, edge) * static_cast<double>(end.goalSample + 1) /
+              static_cast<double>(edge.sampleCount);
+  open(end, 0.0);
 }
 
 /// Whether the way to a state, or an arrival, touches nothing.
 bool GuidedRun::isOpen(std::uint32_t id) {
   const State& state = states_[id];
   if (state.via == nullptr) return true;
-  const FloorTransform from =
-      state.isEnd() ? state.placement
-                    : (state.parent == kNone ? FloorTransform{query_.start.position, startOf_[id]}
-                                             : states_[state.parent].placement);
-  const bool free = isFree(from, *state.via, state.isEnd() ? state.goalSample + 1 : state.via->sampleCount);
-  begun_ = begun_ || free;
+  bool free = false;
+  if (state.isEnd()) {
+    free = isFree(state.placement, state.frame, *state.via, state.goalSample + 1);
+  } else {
+    const std::uint32_t samples = state.via->sampleCount;
+    const FloorTransform from = state.parent == kNone ? FloorTransform{query_.start.position, startOf_[id]}
+                                                      : states_[state.parent].placement;
+    free = isFree(from, state.frame - samples, *state.via, samples);
+  }
+  trouble_.begun = trouble_.begun || free;
   return free;
-}
-
-void GuidedRun::openEnd(std::uint32_t parent, const FloorTransform& from, double cost, const SearchEdge& edge,
-                        std::uint32_t sample) {
-  if (sample == kNone) return;
-  const double share = static_cast<double>(sample + 1) / static_cast<double>(edge.sampleCount);
-  open({from, cost + share * costOf(edge), &edge, parent, sample, kNone}, 0.0);
 }
 
 /// Opens the cheapest ways from a state to a stand at the goal that are known and free.
 void GuidedRun::openArrival(std::uint32_t parent, const State& state) {
-  if (field_.metresToGoal(state.placement.translation) > query_.tables.arrivals.reachMetres()) return;
+  const ArrivalTable& arrivals = query_.tables.arrivals;
+  const Vec2 toGoal = query_.goal.position - state.placement.translation;
+  const double reach = arrivals.reachMetres() + end_.radiusMetres;
+  if (toGoal.squaredNorm() > reach * reach) return;
   const FloorTransform nodeFromRoom = state.placement.inverse();
   std::size_t tried = 0;
   std::size_t opened = 0;
   for (const std::uint32_t id :
-       query_.tables.arrivals.near(state.via->to, nodeFromRoom * query_.goal.position, end_.radiusMetres)) {
-    const Arrival& arrival = query_.tables.arrivals[id];
+       arrivals.near(state.node, nodeFromRoom * query_.goal.position, end_.radiusMetres)) {
+    const Arrival& arrival = arrivals[id];
     if (!facesGoal(state.placement.heading + arrival.end.heading)) continue;
-    if (isFree(state.placement, id)) {
-      open({state.placement, state.cost + arrival.costMetres, nullptr, parent, kNone, id}, 0.0);
+    if (isFree(state.placement, state.frame, id)) {
+      State end = state;
+      end.cost += arrival.costMetres;
+      end.node = kNone;
+      end.via = nullptr;
+      end.parent = parent;
+      end.arrival = id;
+      open(end, 0.0);
       if (++opened == kArrivalsOpened) return;
     }
     if (++tried == kArrivalsTried) return;
@@ -163,19 +212,31 @@ void GuidedRun::open(const State& state, double toGo) {
   states_.push_back(state);
 }
 
-bool GuidedRun::isFree(const FloorTransform& from, const SearchEdge& edge, std::uint32_t samples) const {
+/// Whether the first samples of a way touch nothing; the body is at its beginning at that frame.
+bool GuidedRun::isFree(const FloorTransform& from, std::uint32_t frame, const SearchEdge& edge,
+                       std::uint32_t samples) {
   const std::span<const Eigen::Vector2f> points = query_.tables.graph.samplesOf(edge).first(samples);
-  return std::all_of(points.begin(), points.end(), [&](const Eigen::Vector2f& point) {
-    return query_.plan.isFree(from * Vec2(point.cast<double>()));
-  });
+  for (const Eigen::Vector2f& sample : points) {
+    const Vec2 point = from * Vec2(sample.cast<double>());
+    if (query_.plan.isFree(point)) continue;
+    trouble_.blocked = point;
+    return false;
+  }
+  if (query_.traffic == nullptr || query_.traffic->isFree(from, points, frame + 1)) return true;
+  ++trouble_.atTraffic;
+  trouble_.blocked = from.translation;
+  return false;
 }
 
-bool GuidedRun::isFree(FloorTransform from, std::uint32_t arrival) const {
-  for (; arrival != kNone; arrival = query_.tables.arrivals[arrival].next) {
-    const Arrival& at = query_.tables.arrivals[arrival];
+bool GuidedRun::isFree(FloorTransform from, std::uint32_t frame, std::uint32_t arrival) {
+  const ArrivalTable& arrivals = query_.tables.arrivals;
+  for (; arrival != kNone; arrival = arrivals[arrival].next) {
+    const Arrival& at = arrivals[arrival];
     const SearchEdge& edge = query_.tables.graph.edges()[at.edge];
-    if (!isFree(from, edge, at.next == kNone ? edge.settledSample + 1 : edge.sampleCount)) return false;
+    const std::uint32_t samples = at.next == kNone ? edge.settledSample + 1 : edge.sampleCount;
+    if (frame + samples > lastFrame_ || !isFree(from, frame, edge, samples)) return false;
     from = from * edge.end;
+    frame += samples;
   }
   return true;
 }
@@ -184,11 +245,15 @@ bool GuidedRun::facesGoal(const Heading& heading) const {
   return goalCosine_ <= -1.0 || (heading - goalHeading_).cos >= goalCosine_;
 }
 
-double GuidedRun::costOf(const SearchEdge& edge) const {
+double GuidedRun::costOf(const FloorTransform& from, const SearchEdge& edge) const {
   const WalkCost& cost = params_.cost;
   const double variation = 1.0 + cost.seedVariation * seededShare(edge);
-  return cost.ofGoing(edge, query_.library.frames.framesPerSecond) * variation +
-         stage_.transitionFactor * cost.ofTransitions(edge);
+  const double metres = cost.ofGoing(edge, query_.library.frames.framesPerSecond) * variation +
+                        stage_.transitionFactor * cost.ofTransitions(edge);
+  if (!wishes_) return metres;
+  const double places =
+      wishes_->asksForPlaces() ? wishes_->ofPlaces(from, query_.tables.graph.samplesOf(edge)) : 0.0;
+  return metres + places + wishes_->ofPace(edge);
 }
 
 /// 0..1, different for each edge and seed.
@@ -198,9 +263,20 @@ double GuidedRun::seededShare(const SearchEdge& edge) const {
   return static_cast<double>(mixed >> 40U) * 0x1.0p-24;
 }
 
-double GuidedRun::costToGo(const State& state) const {
-  const double toGo = costToGo_.metres(state.via->to, state.placement);
-  return end_.standing ? std::max(toGo, query_.tables.arrivals.leastMetres(state.via->to)) : toGo;
+/// Whether not even the library's fastest way, straight on along the disc's way, would be there in time.
+bool GuidedRun::isTooLate(const State& state) const {
+  const double metres = (query_.goal.position - state.placement.translation).norm() - end_.radiusMetres;
+  const double frames = metres / query_.tables.graph.fastestMetresPerFrame();
+  return static_cast<double>(state.frame) + frames > static_cast<double>(lastFrame_);
+}
+
+double GuidedRun::costToGo(const State& state) {
+  const double toGo = costToGo_.metres(state.node, state.placement);
+  if (lastFrame_ != kNone && isTooLate(state)) {
+    ++trouble_.tooLate;
+    return std::numeric_limits<double>::infinity();
+  }
+  return end_.standing ? std::max(toGo, query_.tables.arrivals.leastMetres(state.node)) : toGo;
 }
 
 std::uint64_t GuidedRun::key(const State& state) const {
@@ -209,7 +285,9 @@ std::uint64_t GuidedRun::key(const State& state) const {
   const auto z = static_cast<std::uint64_t>(at.y() / stage_.cellMetres);
   const auto turn =
       static_cast<std::uint64_t>(quarterTurns(state.placement.heading) * 0.25 * stage_.headingCells);
-  return ((state.via->to * 0x4000ULL + x) * 0x4000ULL + z) * 0x100ULL + turn;
+  // 20 bits for the node, 14 each for the place, 6 for the heading, and 10 for the time where that matters.
+  const std::uint64_t time = timed_ ? (state.frame / kFramesTogether) % 0x400U : 0;
+  return (((state.node * 0x4000ULL + x) * 0x4000ULL + z) * 0x40ULL + turn) * 0x400ULL + time;
 }
 
 bool GuidedRun::outOfTime(std::uint64_t expansions) const {
@@ -220,7 +298,8 @@ MotionPath GuidedRun::pathTo(std::uint32_t id) const {
   std::vector<std::uint32_t> chain;
   for (std::uint32_t at = id; at != kNone; at = states_[at].parent) chain.push_back(at);
   MotionPath path;
-  path.start = {query_.start.position, startOf_[chain.back()]};
+  path.start = query_.onward ? query_.onward->placement
+                             : FloorTransform{query_.start.position, startOf_[chain.back()]};
   for (auto it = chain.rbegin(); it != chain.rend(); ++it) {
     const State& state = states_[*it];
     if (state.via != nullptr) appendWay(query_.tables.graph, *state.via, state.goalSample, path.steps);

@@ -1,13 +1,16 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "path/distance_field.h"
+#include "walk/constraint_cost.h"
 #include "walk/cost_to_go.h"
 #include "walk/guided_search.h"
 #include "walk/search_heap.h"
+#include "walk/search_trouble.h"
 #include "walk/state_set.h"
 
 namespace stridegraph {
@@ -28,8 +31,8 @@ class GuidedRun {
   /// Looks for a walk that costs less than `costBound`, metres.
   MotionResult search(std::span<const Heading> startHeadings, std::uint64_t maxExpansions, double costBound);
 
-  /// Whether any way to begin could be walked to its end.
-  bool begun() const { return begun_; }
+  /// What stood in the way, as far as was seen.
+  const SearchTrouble& trouble() const { return trouble_; }
 
  private:
   static constexpr std::uint32_t kNone = SearchEdge::kNone;
@@ -38,6 +41,8 @@ class GuidedRun {
   struct State {
     FloorTransform placement;  ///< At the node; of an end, where its last way or its arrival begins.
     double cost = 0.0;
+    std::uint32_t node = kNone;        ///< Decision node here; kNone of an end.
+    std::uint32_t frame = 0;           ///< Of the walk, when the body is there.
     const SearchEdge* via = nullptr;   ///< The way that leads here; none where an arrival does.
     std::uint32_t parent = kNone;      ///< kNone for the first way of a walk.
     std::uint32_t goalSample = kNone;  ///< Sample of `via` at which the walk ends; kNone when it goes on.
@@ -46,21 +51,21 @@ class GuidedRun {
   };
 
   void begin(const FloorTransform& start);
+  void beginOnward(const Onward& onward);
   void expand(std::uint32_t id);
-  void reach(std::uint32_t parent, const FloorTransform& from, double cost, const SearchEdge& edge);
-  void openEndOn(std::uint32_t parent, const FloorTransform& from, double cost, const SearchEdge& edge);
-  void openEnd(std::uint32_t parent, const FloorTransform& from, double cost, const SearchEdge& edge,
-               std::uint32_t sample);
+  void reach(std::uint32_t parent, const State& from, const SearchEdge& edge);
+  void openEndOn(std::uint32_t parent, const State& from, const SearchEdge& edge);
   void openArrival(std::uint32_t parent, const State& state);
   void open(const State& state, double toGo);
 
   bool isOpen(std::uint32_t id);
-  bool isFree(const FloorTransform& from, const SearchEdge& edge, std::uint32_t samples) const;
-  bool isFree(FloorTransform from, std::uint32_t arrival) const;
+  bool isFree(const FloorTransform& from, std::uint32_t frame, const SearchEdge& edge, std::uint32_t samples);
+  bool isFree(FloorTransform from, std::uint32_t frame, std::uint32_t arrival);
   bool facesGoal(const Heading& heading) const;
-  double costOf(const SearchEdge& edge) const;
+  double costOf(const FloorTransform& from, const SearchEdge& edge) const;
   double seededShare(const SearchEdge& edge) const;
-  double costToGo(const State& state) const;
+  double costToGo(const State& state);
+  bool isTooLate(const State& state) const;
   std::uint64_t key(const State& state) const;
   bool outOfTime(std::uint64_t expansions) const;
   MotionPath pathTo(std::uint32_t id) const;
@@ -71,6 +76,7 @@ class GuidedRun {
   CostToGo& costToGo_;
   const DistanceField& field_;
   WalkEnd end_;
+  std::optional<ConstraintCost> wishes_;
   Heading goalHeading_;
   double goalCosine_ = -1.0;  ///< Of the largest turn from the goal's heading.
   std::vector<State> states_;
@@ -78,7 +84,9 @@ class GuidedRun {
   SearchHeap open_;
   StateSet closed_;
   double costBound_ = 0.0;
-  bool begun_ = false;
+  std::uint32_t lastFrame_ = kNone;  ///< The walk has to be over by then.
+  bool timed_ = false;               ///< States at different times differ.
+  SearchTrouble trouble_;
 };
 
 }  // namespace stridegraph

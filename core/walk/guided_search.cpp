@@ -59,21 +59,25 @@ constexpr double kLeastWeight = 0.5;
 /// An improvement below this is none, metres of cost.
 constexpr double kWorthMetres = 0.01;
 
-std::string explain(SearchStatus status, bool begun) {
-  if (status == SearchStatus::kBudgetSpent) {
-    return "the search used up its budget before a walk was found: try another seed, a larger budget or more "
-           "clips";
-  }
-  if (!begun)
-    return "every first step from the start touches something: the start is too near a wall or faces it";
-  return "no walk that these clips can make leads through: every way on ends at a wall; more clips, tighter "
-         "turns or a mirrored library would help";
+std::string explain(SearchStatus status, const SearchTrouble& trouble, const MotionQuery& query) {
+  if (status != SearchStatus::kBudgetSpent)
+    return explainNoMotion(trouble, query.plan, query.start.position);
+  return "the search used up its budget before a walk was found: try another seed, a larger budget or more "
+         "clips";
 }
 
+/// A field of the query's own where none is known, or where areas make some metres count for more.
 std::optional<DistanceField> fieldUnlessKnown(const MotionQuery& query) {
-  if (query.field != nullptr) return std::nullopt;
-  return DistanceField(query.plan, query.goal.position,
-                       {.openPath = {query.path.begin(), query.path.end()}});
+  DistanceField::Params params;
+  params.openPath.assign(query.path.begin(), query.path.end());
+  if (query.constraints != nullptr && !query.constraints->areas.empty()) {
+    const ConstraintCost wishes(*query.constraints, query.library.frames.framesPerSecond);
+    const double perMetre = query.tables.steering.costPerMetre();
+    params.weight = [wishes, perMetre](const Vec2& point) { return 1.0 + wishes.perMetreAt(point) / perMetre; };
+  } else if (query.field != nullptr) {
+    return std::nullopt;
+  }
+  return DistanceField(query.plan, query.goal.position, params);
 }
 
 /// All stages for one kind of end.
@@ -83,7 +87,7 @@ class Cascade {
       : query_(query),
         params_(params),
         ownField_(fieldUnlessKnown(query)),
-        field_(query.field != nullptr ? *query.field : *ownField_),
+        field_(ownField_ ? *ownField_ : *query.field),
         costToGo_(query.tables, field_, {query.plan.widthMetres(), query.plan.depthMetres()}) {}
 
   MotionResult run() {
@@ -94,7 +98,7 @@ class Cascade {
       if (result.status == SearchStatus::kArrived || outOfTime()) break;
     }
     result.expansions = expansions_;
-    if (result.status != SearchStatus::kArrived) result.explanation = explain(result.status, begun_);
+    if (result.status != SearchStatus::kArrived) result.explanation = explain(result.status, trouble_, query_);
     return result;
   }
 
@@ -152,7 +156,7 @@ class Cascade {
     GuidedRun run(query_, params_, stage, costToGo_, field_, end);
     MotionResult result = run.search(startHeadings(query_, params_, stage), limit, costBound);
     expansions_ += result.expansions;
-    begun_ = begun_ || run.begun();
+    trouble_.add(run.trouble());
     return result;
   }
 
@@ -165,7 +169,7 @@ class Cascade {
   const DistanceField& field_;
   CostToGo costToGo_;
   std::uint64_t expansions_ = 0;
-  bool begun_ = false;
+  SearchTrouble trouble_;
 };
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "scene/scene.h"
 #include "walk/motion_path.h"
 #include "walk/search_tables.h"
+#include "walk/traffic.h"
 
 namespace stridegraph {
 
@@ -21,6 +22,13 @@ enum class SearchKind { kGuided, kThesis };
 std::string_view searchName(SearchKind search);  ///< "guided", "thesis"
 std::optional<SearchKind> searchFromName(std::string_view name);
 
+/// Where a walk that is under way goes on: at a decision node, at a placement, at a time.
+struct Onward {
+  std::uint32_t node = 0;
+  FloorTransform placement;
+  std::uint32_t frame = 0;  ///< Of the walk.
+};
+
 /// What a motion search is asked. Start and goal are free and a path leads from one to the other.
 struct MotionQuery {
   const MotionLibrary& library;
@@ -29,20 +37,26 @@ struct MotionQuery {
   Placement start;  ///< Without a heading the search may choose one.
   Placement goal;
   double goalRadiusMetres = 0.1;  ///< The walk ends with the root this near the goal,
-  Angle goalTurn;                 ///< and turned at most so far from its heading, if it has one.
-  std::span<const Vec2> path;     ///< From start to goal, at least two points.
+  Angle goalTurn{};               ///< and turned at most so far from its heading, if it has one.
+  std::span<const Vec2> path{};   ///< From start to goal, at least two points.
   std::span<const Vec2>
-      subgoals;          ///< Along the path; the last one is the goal. Only the thesis search needs them.
+      subgoals{};        ///< Along the path; the last one is the goal. Only the thesis search needs them.
   bool standing = true;  ///< The walk begins and ends with a standing body where the library can.
   std::uint64_t seed = 1;
   /// Whether a walk found will do; where it will not, the guided search looks at some more before it takes
   /// the first. May be empty.
-  std::function<bool(const MotionPath&)> accepts;
+  std::function<bool(const MotionPath&)> accepts{};
   /// States looked at beyond those of the first walk to find cheaper ones; 0 takes the first.
   std::uint64_t improvementExpansions = 0;
-  std::function<bool()> outOfTime;  ///< Asked now and then; true ends the search. May be empty.
+  std::function<bool()> outOfTime{};  ///< Asked now and then; true ends the search. May be empty.
   /// How far it is to the goal from anywhere, finite at the start; null where a search has to find out itself.
   const DistanceField* field = nullptr;
+  /// What moves while the walk goes on; null when nothing does. The thesis search does not look at it.
+  Traffic* traffic = nullptr;
+  /// What the scene asks for beyond getting there; null when nothing. The thesis search does not look at it.
+  const WalkConstraints* constraints = nullptr;
+  /// A walk under way: `start` is where it goes on, and all else holds for what is left of it.
+  std::optional<Onward> onward{};
 };
 
 enum class SearchStatus { kArrived, kNoMotion, kBudgetSpent };

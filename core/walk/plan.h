@@ -90,6 +90,10 @@ struct PlanReport {
   double arrivalErrorMetres = 0.0;           ///< From the last root to the goal, over the floor.
   std::optional<Angle> arrivalHeadingError;  ///< From the last facing to the goal's heading, if it has one.
   ArrivalWarp arrivalWarp;                   ///< How the walk's end was bent to get there.
+  /// Smallest distance of the disc's rim from anything that moves, metres; not set where nothing does.
+  std::optional<double> movingClearanceMetres;
+  /// Share of the walk that keeps to the scene's gait and speed; not set where it asks for none.
+  std::optional<double> constraintsKept;
   bool startsStanding = false;
   bool endsStanding = false;
   std::uint64_t libraryHash = 0;
@@ -106,6 +110,8 @@ struct Plan {
   std::vector<std::pair<Vec2, Vec2>> roadmap;  ///< Edges of the roadmap or of both trees.
   std::vector<Vec2> path;                      ///< From start to goal; empty when there is none.
   std::vector<Vec2> subgoals;
+  MotionPath motion;                           ///< What the walk plays; without steps unless arrived.
+  std::vector<FloorTransform> way;             ///< Where the body stands at each frame of the walk.
   std::vector<Plan> others;  ///< Walks of the scene's further walkers, in their order.
 };
 
@@ -119,7 +125,15 @@ class WalkPlanner {
 
   /// Plans a walk through a scene: path, motion, synthesis. A scene or option out of range is an error; that
   /// there is no way is a plan whose status says so.
+  /// Walkers are planned one after the other, each around those before it (prioritised planning, Erdmann and
+  /// Lozano-Perez 1987); where one finds no way, it goes first and the others are planned again.
   Result<Plan> plan(const Scene& scene, const PlanOptions& options = {}) const;
+
+  /// Plans anew for a walk under way that shows this frame, and for its others: it stays as it is until then
+  /// and goes on in the scene as it is now, from the present pose. `current` has arrived, in a scene with as
+  /// many walkers.
+  Result<Plan> replan(const Plan& current, std::size_t frame, const Scene& scene,
+                      const PlanOptions& options = {}) const;
 
  private:
   std::shared_ptr<const MotionLibrary> library_;
@@ -130,5 +144,8 @@ class WalkPlanner {
 
 /// The report as the JSON object of DESIGN, section 4.
 std::string toJson(const PlanReport& report);
+
+/// The report of a plan, with those of its further walkers as the member "walkers" where it has any.
+std::string toJson(const Plan& plan);
 
 }  // namespace stridegraph

@@ -12,9 +12,11 @@ struct FinishedWalk {
   const SourceFigures& sources;
   const FloorPlan& floor;
   const Scene& scene;
+  const Placement& goal;
   const PlanOptions& options;
   const MotionPath& motion;
   const Clip& walk;  ///< In the room, as it will be shown.
+  Traffic& traffic;
 };
 
 /// Fills in what a report says of a walk that arrived: lengths, clearance, feet, joints, seams, both ends,

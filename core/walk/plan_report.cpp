@@ -37,9 +37,7 @@ void addQuality(const PlanReport& report, nlohmann::ordered_json& json) {
   json["seams"] = listOf(report.seams);
 }
 
-}  // namespace
-
-std::string toJson(const PlanReport& report) {
+nlohmann::ordered_json objectOf(const PlanReport& report) {
   nlohmann::ordered_json json;
   json["status"] = planStatusName(report.status);
   json["explanation"] = report.explanation;
@@ -63,6 +61,8 @@ std::string toJson(const PlanReport& report) {
   for (const auto& [from, to] : report.edges) edges.push_back({from.value, to.value});
   json["edges"] = std::move(edges);
   json["clearance_m"] = report.clearanceMetres;
+  if (report.movingClearanceMetres) json["moving_clearance_m"] = *report.movingClearanceMetres;
+  if (report.constraintsKept) json["constraints_kept"] = *report.constraintsKept;
   addQuality(report, json);
   json["arrival_error_m"] = report.arrivalErrorMetres;
   if (report.arrivalHeadingError) json["arrival_heading_error_deg"] = report.arrivalHeadingError->degrees();
@@ -72,6 +72,19 @@ std::string toJson(const PlanReport& report) {
   json["starts_standing"] = report.startsStanding;
   json["ends_standing"] = report.endsStanding;
   json["library_hash"] = hexDigits(report.libraryHash);
+  return json;
+}
+
+}  // namespace
+
+std::string toJson(const PlanReport& report) { return objectOf(report).dump(1); }
+
+std::string toJson(const Plan& plan) {
+  nlohmann::ordered_json json = objectOf(plan.report);
+  if (!plan.others.empty()) {
+    json["walkers"] = nlohmann::ordered_json::array();
+    for (const Plan& other : plan.others) json["walkers"].push_back(objectOf(other.report));
+  }
   return json.dump(1);
 }
 

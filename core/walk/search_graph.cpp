@@ -44,6 +44,8 @@ class SearchGraphBuilder {
     graph_.firstEdge_.push_back(static_cast<std::uint32_t>(graph_.edges_.size()));
     for (const SearchEdge& edge : graph_.edges_) {
       graph_.canEndStanding_ = graph_.canEndStanding_ || edge.settledSample != kNone;
+      graph_.fastestMetresPerFrame_ =
+          std::max(graph_.fastestMetresPerFrame_, edge.lengthMetres / static_cast<double>(edge.sampleCount));
     }
     addStarts();
   }
@@ -85,10 +87,14 @@ class SearchGraphBuilder {
       decisionOf_[n] = static_cast<std::uint32_t>(decisions_.size());
       decisions_.push_back(static_cast<std::uint32_t>(n));
     }
-    if (!decisions_.empty()) return;
-    // A graph that is one loop offers no choice; its first node serves as the place where the loop closes.
-    decisionOf_[0] = 0;
-    decisions_.push_back(0);
+    if (decisions_.empty()) {
+      // A graph that is one loop offers no choice; its first node serves as the place where the loop closes.
+      decisionOf_[0] = 0;
+      decisions_.push_back(0);
+    }
+    graph_.decisionAt_.assign(library_.frames.frameCount(), kNone);
+    for (std::size_t n = 0; n < decisionOf_.size(); ++n)
+      graph_.decisionAt_[library_.graph.nodes[n].value] = decisionOf_[n];
   }
 
   /// Follows a link from a position on it, and what comes after, to the next decision.

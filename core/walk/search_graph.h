@@ -47,6 +47,8 @@ class SearchGraph {
   std::uint32_t indexOf(const SearchEdge& edge) const {
     return static_cast<std::uint32_t>(&edge - edges_.data());
   }
+  /// The decision node at a frame of the library; SearchEdge::kNone where there is none.
+  std::uint32_t decisionAt(FrameIndex frame) const { return decisionAt_[frame.value]; }
   /// Ways on from a decision node.
   std::span<const SearchEdge> edgesFrom(std::size_t node) const;
   /// Ways to begin: from a captured frame (every second one) to the next decision node.
@@ -59,6 +61,8 @@ class SearchGraph {
   std::span<const WalkStep> stepsOf(const SearchEdge& edge) const;
   /// The placement at the end of a library edge, relative to the one at its beginning.
   const FloorTransform& endOf(EdgeIndex edge) const { return ends_[edge.value]; }
+  /// The greatest mean speed of any way.
+  double fastestMetresPerFrame() const { return fastestMetresPerFrame_; }
   /// Whether a walk can begin, or end, with a standing body.
   bool canStartStanding() const { return canStartStanding_; }
   bool canEndStanding() const { return canEndStanding_; }
@@ -67,11 +71,13 @@ class SearchGraph {
   friend class SearchGraphBuilder;
   std::vector<SearchEdge> edges_;
   std::vector<std::uint32_t> firstEdge_;
+  std::vector<std::uint32_t> decisionAt_;  ///< For each frame of the library.
   std::vector<SearchStart> starts_;
   std::vector<Eigen::Vector2f> samples_;
   std::vector<Eigen::Vector2f> headings_;
   std::vector<WalkStep> steps_;
   std::vector<FloorTransform> ends_;
+  double fastestMetresPerFrame_ = 0.0;
   bool canStartStanding_ = false;
   bool canEndStanding_ = false;
 };

@@ -1,30 +1,16 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <iterator>
 #include <utility>
 
-#include "path/polyline.h"
 #include "scene/scene_json.h"
 #include "walk/plan.h"
-#include "walk/plan_measures.h"
-#include "walk/synthesis.h"
+#include "walk/planning.h"
 
 namespace stridegraph {
 namespace {
-
-/// How far the search may leave the walk turned from the heading asked for at the goal.
-constexpr Angle kGoalTurn = Angle::degrees(10.0);
-
-/// Milliseconds between two calls, by the clock handed in; 0 without one.
-class Stopwatch {
- public:
-  explicit Stopwatch(const MillisecondClock& clock) : clock_(clock), started_(now()) {}
-  double elapsed() const { return now() - started_; }
-
- private:
-  double now() const { return clock_ ? clock_() : 0.0; }
-  const MillisecondClock& clock_;
-  double started_;
-};
 
 Result<void> checkRange(std::string_view name, double value, double low, double high) {
   if (value >= low && value <= high) return {};
@@ -42,179 +28,131 @@ Result<void> checkOptions(const PlanOptions& options) {
   return checkRange("budget in milliseconds", options.budgetMilliseconds, 0.0, 1e9);
 }
 
-PlanStatus statusOf(PathStatus status) {
-  switch (status) {
-    case PathStatus::kFound:
-      return PlanStatus::kArrived;
-    case PathStatus::kStartBlocked:
-      return PlanStatus::kStartBlocked;
-    case PathStatus::kGoalBlocked:
-      return PlanStatus::kGoalBlocked;
-    case PathStatus::kNoPath:
-      break;
-  }
-  return PlanStatus::kNoPath;
+/// A walker who is not planned yet is taken to stay where it is for so many frames.
+constexpr std::uint32_t kUnplannedFrames = 30;
+
+/// Orders of priority tried when a walker finds no way.
+constexpr std::size_t kOrders = 6;
+
+std::vector<Vec2> placesOf(const Plan& plan) {
+  std::vector<Vec2> places;
+  places.reserve(plan.way.size());
+  for (const FloorTransform& placement : plan.way) places.push_back(placement.translation);
+  return places;
 }
 
-PlanStatus statusOf(SearchStatus status) {
-  switch (status) {
-    case SearchStatus::kArrived:
-      return PlanStatus::kArrived;
-    case SearchStatus::kNoMotion:
-      return PlanStatus::kNoMotion;
-    case SearchStatus::kBudgetSpent:
-      break;
-  }
-  return PlanStatus::kBudgetSpent;
-}
-
-std::string explainPath(PlanStatus status, double radius) {
-  switch (status) {
-    case PlanStatus::kStartBlocked:
-      return fmt::format("the start is less than {:.2f} m from an obstacle or a wall", radius);
-    case PlanStatus::kGoalBlocked:
-      return fmt::format("the goal is less than {:.2f} m from an obstacle or a wall", radius);
-    case PlanStatus::kNoPath:
-      return fmt::format("no way from start to goal is {:.2f} m wide everywhere", 2.0 * radius);
-    default:
-      return {};
-  }
-}
-
-/// What is known of a library before any plan.
-struct Prepared {
-  const MotionLibrary& library;
-  const SearchTables& tables;
-  const FootCleanup& feet;
-  const SourceFigures& sources;
-};
-
-/// One plan in the making: each stage fills in its part.
-class Planning {
+/// All walkers of a scene, one after the other.
+class Crowd {
  public:
-  Planning(const Prepared& prepared, const Scene& scene, const PlanOptions& options)
-      : library_(prepared.library),
-        prepared_(prepared),
+  Crowd(const Prepared& prepared, const Scene& scene, const PlanOptions& options, const Plan* current,
+        std::size_t frame)
+      : prepared_(prepared),
         scene_(scene),
         options_(options),
-        total_(options.clock) {
-    PlanReport& report = plan_.report;
-    report.seed = options.seed.value_or(scene.seed);
-    report.planner = options.planner;
-    report.search = options.search;
-    report.radiusMetres = options.radiusMetres.value_or(scene.radiusMetres);
-    report.goalRadiusMetres = options.goalRadiusMetres;
-    report.unitsPerMetre = library_.layout.unitsPerMetre;
-    report.libraryHash = library_.hash;
+        current_(current),
+        frame_(frame),
+        floor_(scene, options.radiusMetres.value_or(scene.radiusMetres)),
+        obstacles_(floor_.radiusMetres(), prepared.library.frames.framesPerSecond) {
+    for (const MovingObstacle& obstacle : scene.moving) obstacles_.addObstacle(obstacle);
+    walkers_.push_back({scene.start, scene.goal});
+    walkers_.insert(walkers_.end(), scene.walkers.begin(), scene.walkers.end());
   }
 
   Plan run() {
-    const FloorPlan floor(scene_, plan_.report.radiusMetres);
-    findPath(floor);
-    if (plan_.report.status == PlanStatus::kArrived) {
-      const MotionPath motion = findMotion(floor);
-      if (plan_.report.status == PlanStatus::kArrived) makeWalk(floor, motion);
+    std::vector<std::size_t> order(walkers_.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::vector<Plan> best;
+    std::size_t mostArrived = 0;
+    for (std::size_t attempt = 0; attempt < std::min(kOrders, walkers_.size() + 1); ++attempt) {
+      const std::optional<std::size_t> stuck = planInTurn(order);
+      const auto arrived = static_cast<std::size_t>(std::count_if(
+          plans_.begin(), plans_.end(), [](const Plan& plan) { return hasArrived(plan); }));
+      if (best.empty() || arrived > mostArrived) {
+        mostArrived = arrived;
+        best = std::move(plans_);
+      }
+      if (!stuck || *stuck == order.front()) break;
+      order.erase(std::find(order.begin(), order.end(), *stuck));
+      order.insert(order.begin(), *stuck);
     }
-    plan_.report.totalMilliseconds = total_.elapsed();
-    return std::move(plan_);
+    Plan first = std::move(best.front());
+    first.others.assign(std::make_move_iterator(best.begin() + 1), std::make_move_iterator(best.end()));
+    return first;
   }
 
  private:
-  void findPath(const FloorPlan& floor) {
-    const Stopwatch watch(options_.clock);
-    PathResult found =
-        planPath(floor, scene_.start.position, scene_.goal.position, options_.planner, plan_.report.seed);
-    plan_.report.status = statusOf(found.status);
-    plan_.report.explanation = explainPath(plan_.report.status, floor.radiusMetres());
-    plan_.report.pathLengthMetres = found.lengthMetres;
-    plan_.roadmap = std::move(found.roadmapEdges);
-    plan_.path = std::move(found.path);
-    field_ = std::move(found.field);
-    if (!plan_.path.empty()) plan_.subgoals = subgoals(plan_.path, options_.subgoalSpacingMetres);
-    plan_.report.pathMilliseconds = watch.elapsed();
+  static bool hasArrived(const Plan& plan) { return plan.report.status == PlanStatus::kArrived; }
+
+  const Plan* underWay(std::size_t walker) const {
+    if (current_ == nullptr) return nullptr;
+    const Plan& plan = walker == 0 ? *current_ : current_->others[walker - 1];
+    return hasArrived(plan) ? &plan : nullptr;
   }
 
-  MotionPath findMotion(const FloorPlan& floor) {
-    const Stopwatch watch(options_.clock);
-    const MotionQuery query{
-        library_,
-        prepared_.tables,
-        floor,
-        scene_.start,
-        scene_.goal,
-        options_.goalRadiusMetres,
-        kGoalTurn,
-        plan_.path,
-        plan_.subgoals,
-        options_.standing,
-        plan_.report.seed,
-        [&](const MotionPath& path) {
-          return bendToGoal(placementsAlong(library_, path), scene_.goal, floor).has_value();
-        },
-        options_.improvementExpansions,
-        [&] { return options_.budgetMilliseconds > 0.0 && watch.elapsed() > options_.budgetMilliseconds; },
-        field_.get()};
-    MotionResult found = searchMotion(options_.search, query);
-    plan_.report.status = statusOf(found.status);
-    plan_.report.explanation = std::move(found.explanation);
-    plan_.report.expansions = found.expansions;
-    plan_.report.motionMilliseconds = watch.elapsed();
-    return std::move(found.path);
-  }
-
-  void makeWalk(const FloorPlan& floor, const MotionPath& motion) {
-    const Stopwatch watch(options_.clock);
-    SynthesisedWalk made = synthesise(library_, motion);
-    PlanReport& report = plan_.report;
-    const std::vector<FloorTransform>& way = made.placements;
-    if (report.search == SearchKind::kGuided) {
-      if (const std::optional<BentWay> bent = bendToGoal(way, scene_.goal, floor)) {
-        moveRoots(way, bent->placements, made.clip);
-        report.arrivalWarp = bent->warp;
-        if (bent->warp.metres > 0.0) plan_.unbentWay = way;
-      }
+  /// Plans all in an order of priority; returns the first one whom others leave no way.
+  std::optional<std::size_t> planInTurn(const std::vector<std::size_t>& order) {
+    plans_.assign(walkers_.size(), {});
+    std::optional<std::size_t> stuck;
+    for (std::size_t turn = 0; turn < order.size(); ++turn) {
+      const std::size_t walker = order[turn];
+      Traffic traffic = obstacles_;
+      for (std::size_t other = 0; other < order.size(); ++other)
+        if (other != turn) meet(order[other], other < turn, traffic);
+      const Walker& ends = walkers_[walker];
+      const PlanTask task{floor_, ends.start, ends.goal, traffic, underWay(walker), frame_};
+      plans_[walker] = planWalk(prepared_, scene_, options_, task);
+      const PlanStatus status = plans_[walker].report.status;
+      if (!stuck && (status == PlanStatus::kNoMotion || status == PlanStatus::kBudgetSpent)) stuck = walker;
     }
-    if (options_.footCleanup) cleanFeet(made);
-    measurePlan(
-        {library_, prepared_.tables.graph, prepared_.sources, floor, scene_, options_, motion, made.clip},
-        report);
-    plan_.walk = std::move(made.clip);
-    plan_.frameKinds = std::move(made.frameKinds);
-    plan_.contacts = std::move(made.contacts);
-    report.synthesisMilliseconds = watch.elapsed();
+    return stuck;
   }
 
-  void cleanFeet(SynthesisedWalk& walk) {
-    FootCleanupReport done = prepared_.feet.apply(library_, walk);
-    PlanReport& report = plan_.report;
-    report.contacts = done.stances;
-    report.feetCorrectedMeanMetres = done.meanCorrectionMetres;
-    report.feetCorrectedWorstMetres = done.worstCorrectionMetres;
-    report.feetLeftAlone = std::move(done.feetLeftAlone);
+  /// Adds another walker as what moves: its walk when it is planned, else where it is at first.
+  void meet(std::size_t other, bool planned, Traffic& traffic) const {
+    const std::array<Vec2, 1> start = {walkers_[other].start.position};
+    if (planned && hasArrived(plans_[other])) {
+      traffic.addBody(placesOf(plans_[other]));
+    } else if (planned) {
+      traffic.addBody(start);
+    } else if (const Plan* walk = underWay(other)) {
+      traffic.addBody(placesOf(*walk), static_cast<std::uint32_t>(frame_) + kUnplannedFrames);
+    } else {
+      traffic.addBody(start, kUnplannedFrames);
+    }
   }
 
-  const MotionLibrary& library_;
   const Prepared& prepared_;
   const Scene& scene_;
   const PlanOptions& options_;
-  Stopwatch total_;
-  std::shared_ptr<const DistanceField> field_;  ///< Of the planner, where it has one.
-  Plan plan_;
+  const Plan* current_;
+  std::size_t frame_;
+  FloorPlan floor_;
+  Traffic obstacles_;
+  std::vector<Walker> walkers_;
+  std::vector<Plan> plans_;
 };
 
 }  // namespace
 
 WalkPlanner::WalkPlanner(std::shared_ptr<const MotionLibrary> library)
-    : library_(std::move(library)),
-      tables_(*library_),
-      feet_(*library_),
-      sources_(sourceFigures(*library_)) {}
+    : library_(std::move(library)), tables_(*library_), feet_(*library_), sources_(sourceFigures(*library_)) {}
 
 Result<Plan> WalkPlanner::plan(const Scene& scene, const PlanOptions& options) const {
   if (auto checked = checkScene(scene); !checked) return fail(std::move(checked));
   if (auto checked = checkOptions(options); !checked) return fail(std::move(checked));
   const Prepared prepared{*library_, tables_, feet_, sources_};
-  return Planning(prepared, scene, options).run();
+  return Crowd(prepared, scene, options, nullptr, 0).run();
+}
+
+Result<Plan> WalkPlanner::replan(const Plan& current, std::size_t frame, const Scene& scene,
+                                 const PlanOptions& options) const {
+  if (auto checked = checkScene(scene); !checked) return fail(std::move(checked));
+  if (auto checked = checkOptions(options); !checked) return fail(std::move(checked));
+  if (current.others.size() != scene.walkers.size())
+    return fail(ErrorCode::kInvalidArgument, fmt::format("walkers: found {}, expected {} as in the walk under way",
+                                                         scene.walkers.size(), current.others.size()));
+  const Prepared prepared{*library_, tables_, feet_, sources_};
+  return Crowd(prepared, scene, options, &current, frame).run();
 }
 
 }  // namespace stridegraph

@@ -1,0 +1,53 @@
+#include "walk/search_trouble.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace stridegraph {
+
+void SearchTrouble::add(const SearchTrouble& other) {
+  begun = begun || other.begun;
+  blocked = other.blocked;
+  if (other.metresLeft < metresLeft) {
+    metresLeft = other.metresLeft;
+    nearest = other.nearest;
+  }
+  atTraffic += other.atTraffic;
+  tooLate += other.tooLate;
+}
+
+std::string nearestThing(const FloorPlan& plan, const Vec2& point) {
+  double least =
+      std::min({point.x(), point.y(), plan.widthMetres() - point.x(), plan.depthMetres() - point.y()});
+  std::size_t thing = plan.boxes().size();
+  for (std::size_t i = 0; i < plan.boxes().size(); ++i) {
+    const double metres = signedDistance(plan.boxes()[i], point);
+    if (metres >= least) continue;
+    least = metres;
+    thing = i;
+  }
+  if (thing == plan.boxes().size()) return "the room's wall";
+  const Vec2& centre = plan.obstacles()[thing].centre;
+  return fmt::format("obstacle {} at ({:.1f}, {:.1f})", thing + 1, centre.x(), centre.y());
+}
+
+std::string explainNoMotion(const SearchTrouble& trouble, const FloorPlan& plan, const Vec2& start) {
+  if (!trouble.begun && trouble.tooLate > 0)
+    return "the goal is too far to be there in the time asked for: not even this library's fastest way straight on would do";
+  if (!trouble.begun) {
+    const bool still = !plan.isFree(trouble.blocked);
+    return fmt::format("every first step from the start at ({:.1f}, {:.1f}) touches {}: give it more room, or turn it",
+                       start.x(), start.y(),
+                       still ? nearestThing(plan, trouble.blocked) : "something that moves");
+  }
+  std::string text = fmt::format(
+      "no walk that these clips can make leads through: the nearest to the goal came to ({:.1f}, {:.1f}), {:.1f} m "
+      "before it, beside {}",
+      trouble.nearest.x(), trouble.nearest.y(), trouble.metresLeft, nearestThing(plan, trouble.nearest));
+  if (trouble.tooLate > 0) text += "; other ways would have come too late";
+  if (trouble.atTraffic > 0) text += "; others met something that moves";
+  return text + "; more clips, tighter turns or a mirrored library would help";
+}
+
+}  // namespace stridegraph

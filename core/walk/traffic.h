@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "math/floor_transform.h"
+#include "scene/scene.h"
+
+namespace stridegraph {
+
+/// What moves in a room, and where it is when: obstacles with known tracks, and bodies whose walks are known.
+/// Times are frames of the walk that is sought, from 0. Answers are worked out when they are asked for and
+/// kept, so questions are not const.
+class Traffic {
+ public:
+  /// A body keeps this far from what moves, beyond what touches: between two frames both go on.
+  static constexpr double kMarginMetres = 0.03;
+  static constexpr std::uint32_t kForEver = std::numeric_limits<std::uint32_t>::max();
+
+  /// radiusMetres: of the disc that asks.
+  Traffic(double radiusMetres, double framesPerSecond)
+      : radiusMetres_(radiusMetres), framesPerSecond_(framesPerSecond) {}
+
+  void addObstacle(const MovingObstacle& obstacle);
+  /// A disc of the same radius that is at way[f] at frame f, stays where the way ends, and is gone from a frame
+  /// on.
+  void addBody(std::span<const Vec2> way, std::uint32_t goneFrom = kForEver);
+
+  bool empty() const { return movers_.empty(); }
+  /// Distance of the disc's rim at the point to the nearest thing that is there at that frame, metres; negative
+  /// when it touches it, infinite when nothing moves.
+  double clearance(const Vec2& point, std::uint32_t frame);
+  /// Whether a disc that goes along the samples of a way from a placement touches nothing; sample s is shown
+  /// at firstFrame + s.
+  bool isFree(const FloorTransform& from, std::span<const Eigen::Vector2f> samples, std::uint32_t firstFrame);
+  /// The same for a way in the room.
+  bool isFree(std::span<const FloorTransform> way, std::uint32_t firstFrame);
+
+ private:
+  /// A disc, or a rectangle that does not turn.
+  struct Mover {
+    MovingObstacle obstacle;  ///< Without a track for a body.
+    std::vector<Vec2> way;    ///< As far as it is worked out, frame by frame.
+    std::uint32_t goneFrom = kForEver;
+    Vec2 halfSize = Vec2::Zero();
+    double reachMetres = 0.0;     ///< Nearer than this, and the margin, its middle may touch.
+    double roundMetres = 0.0;     ///< Radius of its corners, grown by the one who asks.
+    double metresPerFrame = 0.0;  ///< Its greatest speed.
+  };
+
+  Vec2 placeOf(Mover& mover, std::uint32_t frame) const;
+  void workOut(Mover& mover, std::uint32_t frame) const;
+  double distance(Mover& mover, const Vec2& point, std::uint32_t frame) const;
+
+  double radiusMetres_;
+  double framesPerSecond_;
+  std::vector<Mover> movers_;
+};
+
+}  // namespace stridegraph
