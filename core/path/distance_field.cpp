@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace stridegraph {
 
@@ -87,9 +88,8 @@ std::size_t DistanceField::cellUnder(const Vec2& point) const {
 void DistanceField::closeBlockedCells(const FloorPlan& plan, Marching& marching) const {
   marching.closed.assign(values_.size(), 1);
   for (std::size_t r = 1; r <= rows_; ++r) {
-    for (std::size_t c = 1; c <= columns_; ++c) {
-      marching.closed[indexOf(c, r)] = plan.isFree(centreOf(c, r)) ? 0 : 1;
-    }
+    plan.findBlocked(centreOf(1, r).y(), cellMetres_,
+                     std::span(marching.closed).subspan(indexOf(1, r), columns_));
   }
 }
 
@@ -160,8 +160,8 @@ void DistanceField::march(Marching& marching) {
       const std::size_t cell = ring[i];
       if (closed[cell] != 0) continue;
       closed[cell] = 1;
-      // Values that lie lower than a step across two like neighbours gain next to nothing: not looking at them
-      // again adds a few millionths to the distances.
+      // Values that lie lower than a step across two like neighbours gain next to nothing: not looking at
+      // them again adds a few millionths to the distances.
       const float lowest = values[cell] + kLeastStep * cellMetres;
       for (const std::ptrdiff_t offset : offsets) {
         const std::size_t next = cell + static_cast<std::size_t>(offset);

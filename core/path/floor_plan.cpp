@@ -43,6 +43,19 @@ bool FloorPlan::isFreeExactly(const Vec2& point) const {
   return true;
 }
 
+void FloorPlan::findBlocked(double z, double stepMetres, std::span<std::uint8_t> blocked) const {
+  const std::span<const Occupancy> row = occupancy_.rowUnder(z);
+  const double columnsPerStep = stepMetres / occupancy_.cellMetres();
+  for (std::size_t i = 0; i < blocked.size(); ++i) {
+    const double place = static_cast<double>(i) + 0.5;
+    const auto column = static_cast<std::size_t>(place * columnsPerStep);
+    const Occupancy occupancy = column < row.size() ? row[column] : Occupancy::kBlocked;
+    const bool free = occupancy == Occupancy::kMixed ? isFreeExactly({place * stepMetres, z})
+                                                     : occupancy == Occupancy::kFree;
+    blocked[i] = free ? 0 : 1;
+  }
+}
+
 bool FloorPlan::isFree(const Vec2& from, const Vec2& to) const {
   // The room less the margin is convex: with both ends inside, all between is.
   if (!isInsideWalls(from) || !isInsideWalls(to)) return false;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "math/types.h"
@@ -38,6 +40,9 @@ class FloorPlan {
     const Occupancy occupancy = occupancy_.at(point);
     return occupancy == Occupancy::kMixed ? isFreeExactly(point) : occupancy == Occupancy::kFree;
   }
+  /// The same for a row of points (i + 0.5) stepMetres, z: blocked[i] becomes 1 where the disc may not stand,
+  /// else 0. 0 <= z.
+  void findBlocked(double z, double stepMetres, std::span<std::uint8_t> blocked) const;
   /// Whether the disc may move from one point to the other in a straight line, ends included.
   bool isFree(const Vec2& from, const Vec2& to) const;
 

@@ -15,7 +15,9 @@ double halfWidth(double radius, double offset) {
 }
 
 int floorToInt(double value, int low, int high) {
-  return static_cast<int>(std::clamp(std::floor(value), static_cast<double>(low), static_cast<double>(high)));
+  const double within = std::clamp(value, static_cast<double>(low), static_cast<double>(high));
+  const int truncated = static_cast<int>(within);
+  return within < truncated ? truncated - 1 : truncated;
 }
 
 }  // namespace
@@ -30,9 +32,9 @@ OccupancyMap::OccupancyMap(std::span<const Box> boxes, const Vec2& roomSize, dou
   for (const Box& box : boxes) markBox(box, distanceMetres);
 }
 
-void OccupancyMap::raise(int row, int firstColumn, int lastColumn, Occupancy state) {
+void OccupancyMap::raise(int row, const ColumnRange& columns, Occupancy state) {
   Occupancy* const cells = cells_.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_);
-  for (int c = firstColumn; c <= lastColumn; ++c) cells[c] = std::max(cells[c], state);
+  for (int c = columns.first; c <= columns.last; ++c) cells[c] = std::max(cells[c], state);
 }
 
 void OccupancyMap::markWalls(const Vec2& roomSize, double distanceMetres) {
@@ -60,19 +62,28 @@ void OccupancyMap::markBox(const Box& box, double distanceMetres) {
   const double inner = distanceMetres - kSlackMetres;
   const int firstRow = floorToInt((box.minZ - outer) * inverseCell_, 0, rows_);
   const int lastRow = floorToInt((box.maxZ + outer) * inverseCell_, -1, rows_ - 1);
+  const auto touchedBy = [&](double nearest) -> ColumnRange {
+    const double half = halfWidth(outer, nearest);
+    return {floorToInt((box.minX - half) * inverseCell_, 0, columns_),
+            floorToInt((box.maxX + half) * inverseCell_, -1, columns_ - 1)};
+  };
+  const auto coveredBy = [&](double farthest) -> ColumnRange {
+    const double half = halfWidth(inner, farthest);
+    return {floorToInt((box.minX - half) * inverseCell_ + 1.0, 0, columns_),
+            floorToInt((box.maxX + half) * inverseCell_ - 1.0, -1, columns_ - 1)};
+  };
+  // Most rows lie beside the box itself, not beside its rounded corners.
+  const ColumnRange touchedBeside = touchedBy(0.0);
+  const ColumnRange coveredBeside = coveredBy(0.0);
   for (int r = firstRow; r <= lastRow; ++r) {
     const double low = r * cellMetres_;
     const double high = low + cellMetres_;
     const double nearest = std::max({box.minZ - high, low - box.maxZ, 0.0});
     if (nearest >= outer) continue;
-    const double touched = halfWidth(outer, nearest);
-    raise(r, floorToInt((box.minX - touched) * inverseCell_, 0, columns_),
-          floorToInt((box.maxX + touched) * inverseCell_, -1, columns_ - 1), Occupancy::kMixed);
+    raise(r, nearest > 0.0 ? touchedBy(nearest) : touchedBeside, Occupancy::kMixed);
     const double farthest = std::max({box.minZ - low, high - box.maxZ, 0.0});
     if (farthest >= inner) continue;
-    const double covered = halfWidth(inner, farthest);
-    raise(r, floorToInt((box.minX - covered) * inverseCell_ + 1.0, 0, columns_),
-          floorToInt((box.maxX + covered) * inverseCell_ - 1.0, -1, columns_ - 1), Occupancy::kBlocked);
+    raise(r, farthest > 0.0 ? coveredBy(farthest) : coveredBeside, Occupancy::kBlocked);
   }
 }
 

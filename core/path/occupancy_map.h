@@ -29,6 +29,13 @@ class OccupancyMap {
                   static_cast<std::size_t>(column)];
   }
 
+  /// The cells under a line along x, from x = 0 on; the line lies in the room.
+  std::span<const Occupancy> rowUnder(double z) const {
+    const auto row = static_cast<std::size_t>(std::min(z * inverseCell_, rows_ - 0.5));
+    const auto columns = static_cast<std::size_t>(columns_);
+    return std::span(cells_).subspan(row * columns, columns);
+  }
+
   double cellMetres() const { return cellMetres_; }
   int columns() const { return columns_; }
   int rows() const { return rows_; }
@@ -36,7 +43,10 @@ class OccupancyMap {
  private:
   void markWalls(const Vec2& roomSize, double distanceMetres);
   void markBox(const Box& box, double distanceMetres);
-  void raise(int row, int firstColumn, int lastColumn, Occupancy state);
+  struct ColumnRange {
+    int first, last;
+  };
+  void raise(int row, const ColumnRange& columns, Occupancy state);
 
   double cellMetres_;
   double inverseCell_;

@@ -7,6 +7,7 @@
 #include <functional>
 #include <limits>
 #include <numbers>
+#include <span>
 
 #include "path/point_grid.h"
 
@@ -52,8 +53,8 @@ void addNodes(const FloorPlan& plan, std::size_t count, const std::vector<std::u
   }
 }
 
-/// Draws `count` places around a way, and adds those that are free.
-void addNodesAlong(const FloorPlan& plan, const std::vector<Vec2>& way, std::size_t count, PointGrid& nodes,
+/// Draws places around a way's cells, closer ones more often, and adds those that are free.
+void addNodesAlong(const FloorPlan& plan, std::span<const Vec2> way, std::size_t count, PointGrid& nodes,
                    Random& random) {
   constexpr double kFarthestMetres = 1.5;
   for (std::size_t i = 0; i < count; ++i) {
@@ -64,6 +65,22 @@ void addNodesAlong(const FloorPlan& plan, const std::vector<Vec2>& way, std::siz
     const Vec2 point(x, around.y() + random.uniform(-reach, reach));
     if (plan.isFree(point)) nodes.add(point);
   }
+}
+
+/// The stretch of a way around the place where a search along it came to a halt: as near to the goal as any
+/// of the nodes that it met.
+std::span<const Vec2> stretchAround(const DistanceField& field, const PointGrid& nodes,
+                                    std::span<const std::uint32_t> met, std::span<const Vec2> way) {
+  constexpr double kStretchMetres = 2.0;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const std::uint32_t node : met) nearest = std::min(nearest, field.metresToGoal(nodes.points()[node]));
+  const auto halt = std::lower_bound(way.begin(), way.end(), nearest, [&](const Vec2& cell, double metres) {
+    return field.metresToGoal(cell) > metres;
+  });
+  const auto reach = static_cast<std::ptrdiff_t>(std::ceil(kStretchMetres / field.cellMetres()));
+  const auto first = way.begin() + std::max<std::ptrdiff_t>(0, halt - way.begin() - reach);
+  const auto last = halt + std::min<std::ptrdiff_t>(reach, way.end() - halt);
+  return {first, last};
 }
 
 /// The roadmap as it is looked at: neighbours of a node, and whether they see each other, are only found out
@@ -146,7 +163,7 @@ class LazyRoadmap {
   void expandAll(std::uint32_t from, std::uint32_t to, std::size_t most) {
     const auto toGo = [&](std::uint32_t node) {
       if (to == kNone) return 0.0;
-      return field_ != nullptr ? field_->metresToGoal(at(node)) : kWeight * (at(node) - at(to)).norm();
+      return kWeight * (field_ != nullptr ? field_->metresToGoal(at(node)) : (at(node) - at(to)).norm());
     };
     std::vector<bool> done(count(), false);
     std::vector<std::pair<double, std::uint32_t>> heap = {{toGo(from), from}};
@@ -254,22 +271,25 @@ class GrowingRoadmap {
 
 SampledPath planAlongField(const FloorPlan& plan, const Vec2& start, const DistanceField& field,
                            Random& random) {
-  constexpr double kNodesPerMetre = 6.0;
-  constexpr std::size_t kLeastNodes = 100;
+  constexpr double kNodesPerMetre = 14.0;
+  constexpr double kLeastNodes = 100.0;
+  constexpr std::size_t kNodesWhereItHalts = 40;
   constexpr double kReachMetres = 1.5;
-  constexpr int kRounds = 3;
+  constexpr int kRounds = 20;
   const std::vector<Vec2> way = field.cellsToGoal(start);
   if (way.empty()) return {};
   PointGrid nodes({plan.widthMetres(), plan.depthMetres()}, kReachMetres);
   nodes.add(start);
   nodes.add(field.goal());
+  const double count = kNodesPerMetre * static_cast<double>(way.size()) * field.cellMetres();
+  addNodesAlong(plan, way, static_cast<std::size_t>(std::max(kLeastNodes, count)), nodes, random);
   SampledPath result;
-  for (int round = 0; round < kRounds && result.path.empty(); ++round) {
-    const double count = kNodesPerMetre * static_cast<double>(way.size()) * field.cellMetres();
-    addNodesAlong(plan, way, std::max(kLeastNodes, static_cast<std::size_t>(count)), nodes, random);
+  for (int round = 0; round < kRounds; ++round) {
     LazyRoadmap roadmap(plan, nodes, kReachMetres, &field);
     result.path = roadmap.shortest();
     result.edges = roadmap.edges();
+    if (!result.path.empty()) break;
+    addNodesAlong(plan, stretchAround(field, nodes, roadmap.met(), way), kNodesWhereItHalts, nodes, random);
   }
   return result;
 }

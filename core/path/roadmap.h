@@ -16,8 +16,9 @@ SampledPath planByRoadmap(const FloorPlan& plan, const Vec2& start, const Vec2& 
 
 /// Plans by a roadmap whose nodes are drawn around the cells that a distance field leads over from the start
 /// to its goal, the more of them the nearer (sampling guided by the workspace: Kurniawati and Hsu 2004); A*
-/// with the field as cost-to-go. So few nodes find the way that the size of the room does not matter. The
-/// start must be free, and the distance there finite. No path when the nodes miss the way.
+/// with the field as cost-to-go. So few nodes find the way that the size of the room does not matter; where
+/// they miss it, more are drawn around the place where the search came to a halt, up to twenty times. The
+/// start must be free. No path where the distance there is infinite, or when all that was in vain.
 SampledPath planAlongField(const FloorPlan& plan, const Vec2& start, const DistanceField& field,
                            Random& random);
 

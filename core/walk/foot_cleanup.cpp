@@ -112,12 +112,12 @@ void solveFrame(const Skeleton& skeleton, const FootAtWork& foot, std::size_t fr
                 Clip& clip) {
   const FootCorrection& correction = foot.corrections[frame];
   const JointPlacement& ankle = foot.track.ankles[frame];
-  const Quat pitch(Eigen::AngleAxisd(correction[4], foot.foot.sideInAnkle));
-  const AnkleTarget target{ankle.position + correction.head<3>(),
-                           yawTurn(correction[3]) * ankle.rotation * pitch};
+  AnkleTarget target{ankle.position + correction.head<3>(), ankle.rotation};
+  if (correction[3] != 0.0) target.rotation = yawTurn(correction[3]) * target.rotation;
+  if (correction[4] != 0.0)
+    target.rotation = target.rotation * Quat(Eigen::AngleAxisd(correction[4], foot.foot.sideInAnkle));
   const double longestShare = foot.reach[frame] / foot.foot.legMetres;
-  const JointPlacement hip{foot.track.hipRotations[frame],
-                           foot.track.hips[frame] + Vec3(0.0, rootRise, 0.0)};
+  const JointPlacement hip{foot.track.hipRotations[frame], foot.track.hips[frame] + Vec3(0.0, rootRise, 0.0)};
   solveLeg(skeleton, foot.foot.leg, target, std::min(1.0, longestShare), hip, clip.rotationsOf(frame));
 }
 

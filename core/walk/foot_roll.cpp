@@ -7,6 +7,7 @@ namespace stridegraph {
 namespace {
 
 constexpr double kLargestPitch = 0.17;  // rad
+constexpr double kSettledPitch = 1e-9;  // rad
 /// Change of leg length with pitch below which pitching is given up, smoothly.
 constexpr double kLeastLever = 0.02;  // metres per radian
 /// Shares of its length at which a leg is bent enough for its knee not to mind, and at which it is not.
@@ -30,8 +31,10 @@ double pitchFor(const Vec3& arm, const Vec3& toHip, const Vec3& axis, double wan
     const Vec3 turned = Eigen::AngleAxisd(pitch, axis) * arm;
     const Vec3 leg = turned - toHip;
     const double lever = leg.dot(axis.cross(turned)) / leg.norm();
+    const double before = pitch;
     pitch -= (leg.norm() - wantedMetres) * lever / (lever * lever + kLeastLever * kLeastLever);
     pitch = std::clamp(pitch, -kLargestPitch, kLargestPitch);
+    if (std::abs(pitch - before) < kSettledPitch) break;
   }
   return pitch;
 }

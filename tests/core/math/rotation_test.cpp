@@ -37,6 +37,21 @@ TEST(Euler, anglesGiveTheirRotationBackWhereTwoAxesFallTogether) {
   }
 }
 
+TEST(Slerp, isTheSameBySeriesAsBySines) {
+  Random random(5);
+  for (int i = 0; i < 2000; ++i) {
+    const Quat from =
+        fromRotationVector({random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)});
+    const Vec3 axis = Vec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(0.1, 1)).normalized();
+    const double angle = random.uniform(0.0, 2.0);
+    const double fraction = random.uniform();
+    Quat to = from * fromRotationVector(angle * axis);
+    if (i % 2 == 0) to.coeffs() = -to.coeffs();
+    const Quat expected = from * fromRotationVector(fraction * angle * axis);
+    EXPECT_LT((slerp(from, to, fraction).coeffs() - expected.coeffs()).norm(), 1e-14) << "angle " << angle;
+  }
+}
+
 TEST(Slerp, givesBothEndsAndHalvesTheAngle) {
   const Quat from = axisRotation(Axis::kX, Angle::degrees(10));
   const Quat to = axisRotation(Axis::kX, Angle::degrees(50));
@@ -82,6 +97,16 @@ TEST(SeparateHeading, isTheFirstAngleOfTheYxzOrder) {
   const auto [heading, tilt] = separateHeading(rotation);
   EXPECT_NEAR(heading.angle().degrees(), 130.0, 1e-9);
   EXPECT_NEAR(toEuler({Axis::kY, Axis::kX, Axis::kZ}, tilt)[0].degrees(), 0.0, 1e-9);
+}
+
+TEST(HeadingOf, isTheHeadingThatIsSeparated) {
+  Random random(6);
+  for (int i = 0; i < 200; ++i) {
+    const Quat rotation =
+        fromRotationVector({random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-2, 2)});
+    EXPECT_EQ(headingOf(rotation).sin, separateHeading(rotation).heading.sin);
+    EXPECT_EQ(headingOf(rotation).cos, separateHeading(rotation).heading.cos);
+  }
 }
 
 }  // namespace

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "math/random.h"
 #include "math/rotation.h"
 #include "motion/test_characters.h"
 
@@ -94,6 +97,22 @@ TEST(WorstRatio, namesFrameAndJoint) {
   EXPECT_NEAR(acceleration.ratio, Angle::degrees(3.0 * 30 * 30).radians() / 15.0, 1e-6);
   EXPECT_GE(acceleration.frame, 16U) << "where the jump begins or, as jerky, where it ends";
   EXPECT_LE(acceleration.frame, 17U);
+}
+
+TEST(WorstRatio, isThatOfAllRatesThoughFewAreLookedAt) {
+  Random random(8);
+  std::vector<double> degrees = {0.0};
+  for (int i = 0; i < 300; ++i) degrees.push_back(degrees.back() + random.uniform(-70.0, 70.0));
+  const Clip walk = withKneeAt(degrees);
+  const MotionLimits limits = limitsOf(withKneeAt({0, 1, 2}));
+  const TurnRates rates = turnRates(wholeOf(walk), JointIndex(kKnee));
+  const auto fastest = std::max_element(rates.speeds.begin(), rates.speeds.end());
+  const auto jerkiest = std::max_element(rates.accelerations.begin(), rates.accelerations.end());
+  const WorstRatios worst = worstRatios(limits, walk);
+  EXPECT_EQ(worst.speed.ratio, *fastest / limits.speeds[kKnee]);
+  EXPECT_EQ(worst.speed.frame, static_cast<std::size_t>(fastest - rates.speeds.begin()) + 1);
+  EXPECT_EQ(worst.acceleration.ratio, *jerkiest / limits.accelerations[kKnee]);
+  EXPECT_EQ(worst.acceleration.frame, static_cast<std::size_t>(jerkiest - rates.accelerations.begin()) + 1);
 }
 
 TEST(WorstRatio, isZeroOfASingleFrame) {

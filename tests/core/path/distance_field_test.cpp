@@ -111,5 +111,28 @@ TEST(DistanceField, choosesCoarserCellsInVastRoomsAndFinerOnesForSmallDiscs) {
   EXPECT_DOUBLE_EQ(DistanceField(FloorPlan(emptyRoom(10.0, 10.0), 0.05), {5.0, 5.0}).cellMetres(), 0.05);
 }
 
+TEST(DistanceField, leadsFromCellToCellDownToTheGoal) {
+  const Scene scene = roomWithOneBlock();
+  const FloorPlan plan(scene, kRadius);
+  const DistanceField field(plan, scene.goal.position);
+  const std::vector<Vec2> way = field.cellsToGoal(scene.start.position);
+  ASSERT_GT(way.size(), 10U);
+  EXPECT_LT((way.front() - scene.start.position).norm(), field.cellMetres());
+  EXPECT_LT((way.back() - scene.goal.position).norm(), field.cellMetres());
+  for (std::size_t i = 0; i < way.size(); ++i) {
+    EXPECT_TRUE(plan.isFree(way[i]));
+    if (i == 0) continue;
+    EXPECT_LT((way[i] - way[i - 1]).norm(), 1.5 * field.cellMetres());
+    EXPECT_LE(field.metresToGoal(way[i]), field.metresToGoal(way[i - 1]));
+  }
+}
+
+TEST(DistanceField, leadsNowhereFromWhereTheGoalCannotBeReached) {
+  const Scene scene = roomWithSealedGoal();
+  const DistanceField field(FloorPlan(scene, kRadius), scene.goal.position);
+  EXPECT_TRUE(field.cellsToGoal(scene.start.position).empty());
+  EXPECT_EQ(field.goal(), scene.goal.position);
+}
+
 }  // namespace
 }  // namespace stridegraph

@@ -142,5 +142,21 @@ TEST(FloorPlan, survivesRectanglesThatCoverTheWholeRoomManyTimes) {
   EXPECT_NEAR(plan.distanceToNearest({25.0, 2.0}), 0.5, 1e-12);
 }
 
+TEST(FloorPlan, findsTheBlockedPointsOfARow) {
+  Random random(41);
+  for (int room = 0; room < 30; ++room) {
+    const Scene scene = randomRoom(random, 15);
+    const FloorPlan plan(scene, 0.4);
+    const double step = random.uniform(0.05, 0.4);
+    // The last points lie beyond the room.
+    std::vector<std::uint8_t> blocked(static_cast<std::size_t>(scene.widthMetres / step) + 2);
+    for (double z = 0.0; z < scene.depthMetres + 0.5; z += 0.13) {
+      plan.findBlocked(z, step, blocked);
+      for (std::size_t i = 0; i < blocked.size(); ++i)
+        EXPECT_EQ(blocked[i] == 0, plan.isFree(Vec2((static_cast<double>(i) + 0.5) * step, z)));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace stridegraph

@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 
 #include "path/polyline.h"
+#include "path/roadmap.h"
 #include "path/shortest_path.h"
 #include "path/test_rooms.h"
 
@@ -154,6 +156,46 @@ TEST(PathPlanner, growsTheRoadmapUntilItFindsANarrowWay) {
       planPath(plan, scene.start.position, scene.goal.position, PlannerKind::kPrm, 1, params);
   EXPECT_EQ(result.status, PathStatus::kFound);
   EXPECT_FALSE(result.usedShortestPath);
+}
+
+TEST(PathPlanner, handsOnTheDistancesThatItFoundOut) {
+  const Scene scene = roomWithOneBlock();
+  const FloorPlan plan(scene, kRadius);
+  const auto planned = [&](PlannerKind kind, const PathParams& params) {
+    return planPath(plan, scene.start.position, scene.goal.position, kind, 1, params);
+  };
+  const PathResult result = planned(PlannerKind::kPrm, {});
+  ASSERT_NE(result.field, nullptr);
+  EXPECT_EQ(result.field->goal(), scene.goal.position);
+  EXPECT_NEAR(result.field->metresToGoal(scene.start.position), result.lengthMetres, 0.5);
+  EXPECT_EQ(planned(PlannerKind::kRrtConnect, {}).field, nullptr);
+  EXPECT_EQ(planned(PlannerKind::kPrm, {.roadmapNodes = 200}).field, nullptr);
+}
+
+TEST(Roadmap, findsANarrowGapFromAnySeedWhereTheFieldLeadsThroughIt) {
+  Scene scene = roomWithGap(2.0 * kRadius + 0.15);
+  scene.start.position = {3.0, 1.5};
+  scene.goal.position = {9.0, 1.5};
+  const FloorPlan plan(scene, kRadius);
+  const DistanceField field(plan, scene.goal.position);
+  ASSERT_TRUE(std::isfinite(field.metresToGoal(scene.start.position)));
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    Random random(seed);
+    const SampledPath sampled = planAlongField(plan, scene.start.position, field, random);
+    ASSERT_GE(sampled.path.size(), 3U) << "seed " << seed;
+    EXPECT_EQ(sampled.path.front(), scene.start.position);
+    EXPECT_EQ(sampled.path.back(), scene.goal.position);
+    for (std::size_t i = 1; i < sampled.path.size(); ++i)
+      EXPECT_TRUE(plan.isFree(sampled.path[i - 1], sampled.path[i]));
+  }
+}
+
+TEST(Roadmap, alongAFieldThatDoesNotReachTheStartHasNoPath) {
+  const Scene scene = roomWithSealedGoal();
+  const FloorPlan plan(scene, kRadius);
+  Random random(1);
+  EXPECT_TRUE(planAlongField(plan, scene.start.position, DistanceField(plan, scene.goal.position), random)
+                  .path.empty());
 }
 
 }  // namespace
