@@ -13,50 +13,7 @@
 namespace stridegraph {
 namespace {
 
-static_assert(DistanceRows::kRowsAtOnce == kProductRows);
-static_assert(ClipFeatures::kPadding >= kProductColumns + kWindowFrames);
-
-/// Four neighbouring columns of `terms` terms, term by term; columns from `limit` on count as zeros.
-struct Block {
-  const float* first;
-  std::size_t stride;
-  std::size_t terms;
-  std::size_t column;
-  std::size_t limit;
-
-  float at(std::size_t term, std::size_t r) const {
-    return column + r < limit ? first[term * stride + column + r] : 0.0F;
-  }
-};
-
-std::vector<float> packed(const Block& block) {
-  std::vector<float> result(block.terms * kProductRows);
-  for (std::size_t t = 0; t < block.terms; ++t) {
-    for (std::size_t r = 0; r < kProductRows; ++r) result[t * kProductRows + r] = block.at(t, r);
-  }
-  return result;
-}
-
-/// The same floor points turned by a right angle, so that their product is the cross product: terms hold all
-/// x, then all z, and x x' + z z' becomes x z' - z x'.
-std::vector<float> packedAcross(const Block& block) {
-  const std::size_t half = block.terms / 2;
-  std::vector<float> result(block.terms * kProductRows);
-  for (std::size_t t = 0; t < half; ++t) {
-    for (std::size_t r = 0; r < kProductRows; ++r) {
-      result[t * kProductRows + r] = -block.at(half + t, r);
-      result[(half + t) * kProductRows + r] = block.at(t, r);
-    }
-  }
-  return result;
-}
-
-std::array<float*, kProductRows> rowsFrom(std::vector<float>& storage, std::size_t first,
-                                          std::size_t stride) {
-  std::array<float*, kProductRows> rows;
-  for (std::size_t r = 0; r < kProductRows; ++r) rows[r] = storage.data() + (first + r) * stride;
-  return rows;
-}
+static_assert(kWindowFrames <= kPanelColumns && kWindowFrames <= DistanceRows::kRowsAtOnce + 1);
 
 /// One product of the frames of a window, down a diagonal of the ring.
 using Diagonal = std::array<const float*, kWindowFrames>;
@@ -68,34 +25,35 @@ struct RowParts {
   Diagonal height;
   const float* motionAlong = nullptr;
   const float* motionAcross = nullptr;
-  const double* energies = nullptr;
-  double energy = 0.0;
+  const float* energies = nullptr;
+  float energy = 0.0F;
   std::size_t begin = 0;
   std::size_t end = 0;
 };
 
-STRIDEGRAPH_INLINE double sumAlong(const Diagonal& diagonal, double start, std::size_t column) {
-  for (std::size_t d = 0; d < kWindowFrames; ++d) start += static_cast<double>(diagonal[d][column]);
+STRIDEGRAPH_INLINE float sumAlong(const Diagonal& diagonal, float start, std::size_t column) {
+  for (std::size_t d = 0; d < kWindowFrames; ++d) start += diagonal[d][column];
   return start;
 }
 
 STRIDEGRAPH_INLINE void combineColumns(const RowParts& parts, std::uint32_t* __restrict distances) {
-  constexpr double kLimit = kFarMicrometres;
+  constexpr auto kScale = static_cast<float>(kMicrometresPerMetre);
+  constexpr auto kLimit = static_cast<float>(kFarMicrometres);
   // Copies, so that the compiler need not fear for the pointers when it writes.
   const Diagonal along = parts.along;
   const Diagonal across = parts.across;
   const Diagonal height = parts.height;
   const float* motionAlong = parts.motionAlong;
   const float* motionAcross = parts.motionAcross;
-  const double* energies = parts.energies;
-  const double energy = parts.energy;
+  const float* energies = parts.energies;
+  const float energy = parts.energy;
   const std::size_t end = parts.end;
   for (std::size_t c = parts.begin; c < end; ++c) {
-    const double a = sumAlong(along, static_cast<double>(motionAlong[c]), c);
-    const double b = sumAlong(across, static_cast<double>(motionAcross[c]), c);
-    const double h = sumAlong(height, 0.0, c);
-    const double squared = energy + energies[c] - 2.0 * (std::sqrt(a * a + b * b) + h);
-    const double micrometres = std::sqrt(squared > 0.0 ? squared : 0.0) * kMicrometresPerMetre + 0.5;
+    const float a = sumAlong(along, motionAlong[c], c);
+    const float b = sumAlong(across, motionAcross[c], c);
+    const float h = sumAlong(height, 0.0F, c);
+    const float squared = (energy + energies[c]) - 2.0F * (std::sqrt(a * a + b * b) + h);
+    const float micrometres = std::sqrt(squared > 0.0F ? squared : 0.0F) * kScale + 0.5F;
     distances[c] =
         static_cast<std::uint32_t>(static_cast<std::int32_t>(micrometres < kLimit ? micrometres : kLimit));
   }
@@ -107,20 +65,31 @@ STRIDEGRAPH_WIDE void combineWide(const RowParts& parts, std::uint32_t* distance
 
 }  // namespace
 
-DistanceRows::DistanceRows(const ClipFeatures& rows, const ClipFeatures& columns)
-    : rows_(&rows),
-      columns_(&columns),
-      reach_(std::numeric_limits<std::size_t>::max()),
-      along_(kRing * columns.stride(), 0.0F),
-      across_(kRing * columns.stride(), 0.0F),
-      height_(kRing * columns.stride(), 0.0F),
-      motionAlong_(kRowsAtOnce * columns.stride(), 0.0F),
-      motionAcross_(kRowsAtOnce * columns.stride(), 0.0F),
-      distances_(kRowsAtOnce * columns.stride(), 0) {
-  STRIDEGRAPH_CHECK(rows.jointCount() == columns.jointCount());
+DistanceRows::DistanceRows(const ClipFeatures& rows, const ClipFeatures& columns) {
+  restart(rows, columns);
 }
 
-DistanceRows::DistanceRows(const ClipFeatures& clip, std::size_t reach) : DistanceRows(clip, clip) {
+DistanceRows::DistanceRows(const ClipFeatures& clip, std::size_t reach) {
+  restart(clip, reach);
+}
+
+void DistanceRows::restart(const ClipFeatures& rows, const ClipFeatures& columns) {
+  STRIDEGRAPH_CHECK(rows.jointCount() == columns.jointCount());
+  rows_ = &rows;
+  columns_ = &columns;
+  reach_ = std::numeric_limits<std::size_t>::max();
+  stride_ = columns.paddedCount() + kPanelColumns;
+  nextRow_ = 0;
+  firstColumn_ = 0;
+  // Products of other clips may stay: they only reach columns behind the last window.
+  for (std::vector<float>* ring : {&along_, &across_, &height_}) ring->resize(kRing * stride_);
+  for (std::vector<float>* products : {&motionAlong_, &motionAcross_})
+    products->resize(kRowsAtOnce * stride_);
+  distances_.resize(kRowsAtOnce * stride_);
+}
+
+void DistanceRows::restart(const ClipFeatures& clip, std::size_t reach) {
+  restart(clip, clip);
   reach_ = reach;
 }
 
@@ -129,22 +98,16 @@ std::size_t DistanceRows::firstColumnFor(std::size_t row) const {
 }
 
 std::span<const std::uint32_t> DistanceRows::row(std::size_t k) const {
-  return std::span(distances_).subspan(k * columns_->stride(), columns_->windowCount());
+  return std::span(distances_).subspan(k * stride_, columns_->windowCount());
 }
 
 void DistanceRows::multiplyFrames(std::size_t firstFrame) {
-  const std::size_t stride = columns_->stride();
+  if (firstFrame >= rows_->frameCount()) return;
   const std::size_t begin = firstColumnFor(firstFrame > kRowsAtOnce ? firstFrame - kRowsAtOnce : 0);
-  ProductColumns columns{columns_->planar(), stride, 2 * columns_->jointCount(), begin,
-                         columns_->frameCount()};
-  Block block{rows_->planar(), rows_->stride(), 2 * rows_->jointCount(), firstFrame, rows_->frameCount()};
-  const std::size_t slot = firstFrame % kRing;
-  multiplyRows(packed(block).data(), columns, rowsFrom(along_, slot, stride));
-  multiplyRows(packedAcross(block).data(), columns, rowsFrom(across_, slot, stride));
-  columns.first = columns_->heights();
-  block.first = rows_->heights();
-  columns.terms = block.terms = rows_->jointCount();
-  multiplyRows(packed(block).data(), columns, rowsFrom(height_, slot, stride));
+  const std::size_t slot = firstFrame % kRing * stride_;
+  multiplyRows(rows_->frames(), firstFrame, PointTerms::kSpace,
+               {columns_->frames(), columns_->jointCount(), begin, columns_->frameCount()},
+               {along_.data() + slot, across_.data() + slot, height_.data() + slot, stride_});
 }
 
 std::size_t DistanceRows::advance() {
@@ -153,11 +116,9 @@ std::size_t DistanceRows::advance() {
   if (nextRow_ == 0) multiplyFrames(0);
   multiplyFrames(nextRow_ + kRowsAtOnce);
   firstColumn_ = firstColumnFor(nextRow_);
-  const ProductColumns columns{columns_->motion(), columns_->stride(), ClipFeatures::kMotionTerms,
-                               firstColumn_, columns_->windowCount()};
-  const Block block{rows_->motion(), rows_->stride(), ClipFeatures::kMotionTerms, nextRow_, rowCount};
-  multiplyRows(packed(block).data(), columns, rowsFrom(motionAlong_, 0, columns_->stride()));
-  multiplyRows(packedAcross(block).data(), columns, rowsFrom(motionAcross_, 0, columns_->stride()));
+  multiplyRows(rows_->motion(), nextRow_, PointTerms::kFloor,
+               {columns_->motion(), ClipFeatures::kMotionPoints, firstColumn_, columns_->windowCount()},
+               {motionAlong_.data(), motionAcross_.data(), nullptr, stride_});
   const std::size_t count = std::min(kRowsAtOnce, rowCount - nextRow_);
   for (std::size_t k = 0; k < count; ++k) combine(nextRow_ + k, k);
   nextRow_ += count;
@@ -165,21 +126,21 @@ std::size_t DistanceRows::advance() {
 }
 
 void DistanceRows::combine(std::size_t row, std::size_t k) {
-  const std::size_t stride = columns_->stride();
   RowParts parts;
   for (std::size_t d = 0; d < kWindowFrames; ++d) {
-    const std::size_t shift = (row + d) % kRing * stride + d;
+    const std::size_t shift = (row + d) % kRing * stride_ + d;
     parts.along[d] = along_.data() + shift;
     parts.across[d] = across_.data() + shift;
     parts.height[d] = height_.data() + shift;
   }
-  parts.motionAlong = motionAlong_.data() + k * stride;
-  parts.motionAcross = motionAcross_.data() + k * stride;
+  parts.motionAlong = motionAlong_.data() + k * stride_;
+  parts.motionAcross = motionAcross_.data() + k * stride_;
   parts.energies = columns_->energies();
   parts.energy = rows_->energies()[row];
-  parts.begin = firstColumn_;
-  parts.end = columns_->windowCount();
-  std::uint32_t* distances = distances_.data() + k * stride;
+  // Whole panels, so that no column is done one by one.
+  parts.begin = firstColumn_ / kPanelColumns * kPanelColumns;
+  parts.end = (columns_->windowCount() + kPanelColumns - 1) / kPanelColumns * kPanelColumns;
+  std::uint32_t* distances = distances_.data() + k * stride_;
   if (hasWideRegisters()) return combineWide(parts, distances);
   combineColumns(parts, distances);
 }

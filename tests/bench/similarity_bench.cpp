@@ -1,0 +1,151 @@
+// How many pairs of frames are compared in a second on one core: the distances alone, with the search for
+// transitions, and by the plain loop; and what share that is of a matrix product's speed in the same run.
+//   build/release/bench/similarity_bench [--json]
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <string_view>
+
+#include "graph/pose_distance.h"
+#include "graph/transition_scan.h"
+#include "matrix_product.h"
+#include "stopwatch.h"
+#include "varied_clips.h"
+
+namespace stridegraph::bench {
+namespace {
+
+constexpr std::size_t kJoints = 20;
+constexpr std::size_t kFrames = 4'000;
+constexpr std::size_t kFramesOfPlainLoop = 300;
+constexpr int kRuns = 15;
+
+/// The products and their sums that one pair of frames costs: along, across and height of each joint, along
+/// and across of the path of the centre. What combines them comes on top.
+constexpr std::size_t kOperationsOfPair = 2 * (5 * kJoints + 4 * ClipFeatures::kMotionPoints);
+
+/// The default character with as many joints that count: some of its tips become joints like others.
+std::vector<BvhDocument> clipsOfManyJoints(std::size_t frames) {
+  std::vector<BvhDocument> documents = variedGaitClips(frames, 1);
+  Skeleton skeleton = documents.front().skeleton;
+  const auto counting = [&] {
+    const std::vector<double> weights = distanceWeights(skeleton);
+    return static_cast<std::size_t>(std::accumulate(weights.begin(), weights.end(), 0.0));
+  };
+  for (std::size_t j = 0; j < skeleton.size() && counting() < kJoints; ++j) {
+    if (distanceWeights(skeleton)[j] == 0.0)
+      skeleton.joints[j] = {fmt::format("extra {}", j), skeleton.joints[j].parent, skeleton.joints[j].offset};
+  }
+  for (BvhDocument& document : documents) document.skeleton = skeleton;
+  return documents;
+}
+
+std::vector<Clip> clipsOf(const std::vector<BvhDocument>& documents) {
+  std::vector<Clip> clips;
+  for (const BvhDocument& document : documents) clips.push_back(document.clip);
+  return clips;
+}
+
+struct Prepared {
+  Skeleton skeleton;
+  std::vector<Clip> clips;
+  std::vector<ClipFeatures> features;
+};
+
+Prepared prepare() {
+  const std::vector<BvhDocument> documents = clipsOfManyJoints(kFrames);
+  Prepared prepared{documents.front().skeleton, clipsOf(documents), {}};
+  const FeatureBasis basis = featureBasis(prepared.skeleton, prepared.clips);
+  for (const Clip& clip : prepared.clips) prepared.features.emplace_back(prepared.skeleton, basis, clip);
+  return prepared;
+}
+
+double rowsPerSecond(const Prepared& prepared) {
+  std::size_t pairs = 0;
+  std::uint64_t sum = 0;
+  const double seconds = leastSeconds(kRuns, [&] {
+    pairs = 0;
+    DistanceRows rows(prepared.features[0], prepared.features[0]);
+    for (const ClipFeatures& a : prepared.features) {
+      for (const ClipFeatures& b : prepared.features) {
+        rows.restart(a, b);
+        while (rows.advance() != 0) sum += rows.row(0).front();
+        pairs += a.windowCount() * b.windowCount();
+      }
+    }
+  });
+  return sum == 0 ? 0.0 : static_cast<double>(pairs) / seconds;
+}
+
+double scanPerSecond(const Prepared& prepared) {
+  std::size_t pairs = 0;
+  const double seconds = leastSeconds(kRuns, [&] {
+    TransitionScan scan(prepared.features, ValleyParams{});
+    while (scan.step()) {
+    }
+    pairs = scan.framePairs();
+  });
+  return static_cast<double>(pairs) / seconds;
+}
+
+double plainLoopPerSecond(const Prepared& prepared) {
+  const std::vector<double> weights = windowWeights(prepared.skeleton);
+  std::vector<std::vector<Vec3>> windows;
+  for (const Clip& clip : prepared.clips) {
+    for (std::size_t f = kWindowReach; f + kWindowReach < clip.frameCount(); ++f) {
+      if (windows.size() < kFramesOfPlainLoop) windows.push_back(windowPositions(prepared.skeleton, clip, f));
+    }
+  }
+  double sum = 0.0;
+  const double seconds = leastSeconds(3, [&] {
+    for (const std::vector<Vec3>& a : windows) {
+      for (const std::vector<Vec3>& b : windows) sum += windowDistanceMetres(a, b, weights);
+    }
+  });
+  return sum == 0.0 ? 0.0 : static_cast<double>(windows.size() * windows.size()) / seconds;
+}
+
+nlohmann::ordered_json measure() {
+  const Prepared prepared = prepare();
+  const double rows = rowsPerSecond(prepared);
+  nlohmann::ordered_json table = {{"joints", prepared.features.front().jointCount()},
+                                  {"window", kWindowFrames},
+                                  {"frames", kFrames},
+                                  {"pairsPerSecond",
+                                   {{"rows", rows},
+                                    {"rowsAndScan", scanPerSecond(prepared)},
+                                    {"plainLoop", plainLoopPerSecond(prepared)}}}};
+  table["gigaflops"]["rows"] = rows * static_cast<double>(kOperationsOfPair) / 1e9;
+  if (const std::optional<double> peak = matrixProductGigaflops()) {
+    table["gigaflops"]["matrixProduct"] = *peak;
+    table["shareOfMatrixProduct"] = table["gigaflops"]["rows"].get<double>() / *peak;
+  }
+  return table;
+}
+
+void print(const nlohmann::ordered_json& table) {
+  const auto millions = [&](const char* what) { return table["pairsPerSecond"][what].get<double>() / 1e6; };
+  fmt::print("{} joints, window of {} frames, one core; million pairs of frames a second\n",
+             table["joints"].get<int>(), table["window"].get<int>());
+  fmt::print("{:8.1f}  distances\n{:8.1f}  distances and search for transitions\n{:8.3f}  plain loop\n",
+             millions("rows"), millions("rowsAndScan"), millions("plainLoop"));
+  if (table.contains("shareOfMatrixProduct"))
+    fmt::print("{:8.1f}  GFLOP/s of {:.1f} of a matrix product: {:.0f} %\n",
+               table["gigaflops"]["rows"].get<double>(), table["gigaflops"]["matrixProduct"].get<double>(),
+               100.0 * table["shareOfMatrixProduct"].get<double>());
+}
+
+}  // namespace
+}  // namespace stridegraph::bench
+
+int main(int argumentCount, char** arguments) {
+  using namespace stridegraph;
+  const nlohmann::ordered_json table = bench::measure();
+  if (argumentCount > 1 && arguments[1] == std::string_view("--json"))
+    fmt::print("{}\n", table.dump(2));
+  else
+    bench::print(table);
+  return EXIT_SUCCESS;
+}
