@@ -13,14 +13,13 @@ static_assert(kPanelColumns % kProductRows == 0);
 using Lanes = float __attribute__((vector_size(16)));
 using WideLanes = float __attribute__((vector_size(32)));
 
-/// The sums of one row. Not arrays of sums, which compilers put into memory rather than registers.
+/// Along and across of one row. Not arrays of sums, which compilers put into memory rather than registers.
 template <typename Register>
-struct RowSums {
+struct FloorSums {
   Register along{};
   Register across{};
-  Register height{};
 
-  STRIDEGRAPH_INLINE void addFloor(const float* factors, const Register& x, const Register& z) {
+  STRIDEGRAPH_INLINE void add(const float* factors, const Register& x, const Register& z) {
     const float rowX = factors[0];
     const float rowZ = factors[kPanelColumns];
     along += rowX * x;
@@ -28,51 +27,71 @@ struct RowSums {
     along += rowZ * z;
     across -= rowZ * x;
   }
-  STRIDEGRAPH_INLINE void addHeight(const float* factors, const Register& y) {
-    height += factors[2 * kPanelColumns] * y;
+  STRIDEGRAPH_INLINE void store(const ProductTargets& targets, std::size_t row) const {
+    std::memcpy(targets.along + row * targets.stride, &along, sizeof(Register));
+    std::memcpy(targets.across + row * targets.stride, &across, sizeof(Register));
   }
 };
 
-template <PointTerms kTerms, typename Register>
-STRIDEGRAPH_INLINE void store(const RowSums<Register>& sums, const ProductTargets& targets, std::size_t row) {
-  std::memcpy(targets.along + row * targets.stride, &sums.along, sizeof(Register));
-  std::memcpy(targets.across + row * targets.stride, &sums.across, sizeof(Register));
-  if constexpr (kTerms == PointTerms::kSpace)
-    std::memcpy(targets.height + row * targets.stride, &sums.height, sizeof(Register));
-}
+/// The rows that are multiplied and a register of columns; all terms of a point take kPoint floats.
+struct Operands {
+  const float* factors;
+  const float* columns;
+  std::size_t points;
+};
 
-/// All sums of one register of columns at once: as many as keep the adders busy without spilling.
-template <typename Register, PointTerms kTerms>
-STRIDEGRAPH_INLINE void multiplyRegister(const float* factors, const float* terms, std::size_t points,
-                                         const ProductTargets& targets) {
-  constexpr std::size_t kPoint = static_cast<std::size_t>(kTerms) * kPanelColumns;
-  static_assert(kProductRows == 4);
-  RowSums<Register> first;
-  RowSums<Register> second;
-  RowSums<Register> third;
-  RowSums<Register> fourth;
-  for (std::size_t p = 0; p < points; ++p, factors += kPoint, terms += kPoint) {
+template <typename Register, std::size_t kPoint>
+STRIDEGRAPH_INLINE void multiplyFloor(Operands operands, const ProductTargets& targets) {
+  FloorSums<Register> first;
+  FloorSums<Register> second;
+  FloorSums<Register> third;
+  FloorSums<Register> fourth;
+  for (; operands.points != 0; --operands.points, operands.factors += kPoint, operands.columns += kPoint) {
     Register x;
     Register z;
-    std::memcpy(&x, terms, sizeof(x));
-    std::memcpy(&z, terms + kPanelColumns, sizeof(z));
-    first.addFloor(factors, x, z);
-    second.addFloor(factors + 1, x, z);
-    third.addFloor(factors + 2, x, z);
-    fourth.addFloor(factors + 3, x, z);
-    if constexpr (kTerms == PointTerms::kSpace) {
-      Register y;
-      std::memcpy(&y, terms + 2 * kPanelColumns, sizeof(y));
-      first.addHeight(factors, y);
-      second.addHeight(factors + 1, y);
-      third.addHeight(factors + 2, y);
-      fourth.addHeight(factors + 3, y);
-    }
+    std::memcpy(&x, operands.columns, sizeof(x));
+    std::memcpy(&z, operands.columns + kPanelColumns, sizeof(z));
+    first.add(operands.factors, x, z);
+    second.add(operands.factors + 1, x, z);
+    third.add(operands.factors + 2, x, z);
+    fourth.add(operands.factors + 3, x, z);
   }
-  store<kTerms>(first, targets, 0);
-  store<kTerms>(second, targets, 1);
-  store<kTerms>(third, targets, 2);
-  store<kTerms>(fourth, targets, 3);
+  first.store(targets, 0);
+  second.store(targets, 1);
+  third.store(targets, 2);
+  fourth.store(targets, 3);
+}
+
+template <typename Register, std::size_t kPoint>
+STRIDEGRAPH_INLINE void multiplyHeights(Operands operands, const ProductTargets& targets) {
+  Register first{};
+  Register second{};
+  Register third{};
+  Register fourth{};
+  operands.factors += 2 * kPanelColumns;
+  operands.columns += 2 * kPanelColumns;
+  for (; operands.points != 0; --operands.points, operands.factors += kPoint, operands.columns += kPoint) {
+    Register y;
+    std::memcpy(&y, operands.columns, sizeof(y));
+    first += operands.factors[0] * y;
+    second += operands.factors[1] * y;
+    third += operands.factors[2] * y;
+    fourth += operands.factors[3] * y;
+  }
+  std::memcpy(targets.height, &first, sizeof(Register));
+  std::memcpy(targets.height + targets.stride, &second, sizeof(Register));
+  std::memcpy(targets.height + 2 * targets.stride, &third, sizeof(Register));
+  std::memcpy(targets.height + 3 * targets.stride, &fourth, sizeof(Register));
+}
+
+/// All sums of one register of columns. Heights come in a second loop: with all twelve sums at once, some
+/// would be kept in memory.
+template <typename Register, PointTerms kTerms>
+STRIDEGRAPH_INLINE void multiplyRegister(const Operands& operands, const ProductTargets& targets) {
+  constexpr std::size_t kPoint = static_cast<std::size_t>(kTerms) * kPanelColumns;
+  static_assert(kProductRows == 4);
+  multiplyFloor<Register, kPoint>(operands, targets);
+  if constexpr (kTerms == PointTerms::kSpace) multiplyHeights<Register, kPoint>(operands, targets);
 }
 
 template <typename Register, PointTerms kTerms>
@@ -87,7 +106,7 @@ STRIDEGRAPH_INLINE void multiplyWith(const float* factors, const ProductColumns&
   if constexpr (kTerms == PointTerms::kSpace) targets.height += firstPanel * kPanelColumns;
   for (std::size_t column = firstPanel * kPanelColumns; column < columns.end; column += kPanelColumns) {
     for (std::size_t lane = 0; lane < kPanelColumns; lane += kLanes) {
-      multiplyRegister<Register, kTerms>(factors, panel->columns.data() + lane, columns.points, targets);
+      multiplyRegister<Register, kTerms>({factors, panel->columns.data() + lane, columns.points}, targets);
       targets.along += kLanes;
       targets.across += kLanes;
       if constexpr (kTerms == PointTerms::kSpace) targets.height += kLanes;

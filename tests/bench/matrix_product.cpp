@@ -6,13 +6,10 @@
 
 #include <Eigen/Core>
 
-#include "stopwatch.h"
-
 namespace stridegraph::bench {
 namespace {
 
-constexpr int kSize = 768;
-constexpr int kRuns = 20;
+constexpr int kSize = 576;
 
 bool canRun() {
 #if defined(__x86_64__)
@@ -24,13 +21,24 @@ bool canRun() {
 
 }  // namespace
 
-std::optional<double> matrixProductGigaflops() {
+struct MatrixProduct::Matrices {
+  Eigen::MatrixXf a = Eigen::MatrixXf::Random(kSize, kSize);
+  Eigen::MatrixXf b = Eigen::MatrixXf::Random(kSize, kSize);
+  Eigen::MatrixXf product = Eigen::MatrixXf::Zero(kSize, kSize);
+};
+
+MatrixProduct::MatrixProduct(std::unique_ptr<Matrices> matrices) : matrices_(std::move(matrices)) {}
+MatrixProduct::MatrixProduct(MatrixProduct&&) noexcept = default;
+MatrixProduct::~MatrixProduct() = default;
+
+std::optional<MatrixProduct> MatrixProduct::create() {
   if (!canRun()) return {};
-  const Eigen::MatrixXf a = Eigen::MatrixXf::Random(kSize, kSize);
-  const Eigen::MatrixXf b = Eigen::MatrixXf::Random(kSize, kSize);
-  Eigen::MatrixXf product(kSize, kSize);
-  const double seconds = leastSeconds(kRuns, [&] { product.noalias() = a * b; });
-  return 2.0 * kSize * kSize * kSize / seconds / 1e9;
+  return MatrixProduct(std::make_unique<Matrices>());
+}
+
+std::size_t MatrixProduct::multiply() {
+  matrices_->product.noalias() = matrices_->a * matrices_->b;
+  return std::size_t{2} * kSize * kSize * kSize;
 }
 
 }  // namespace stridegraph::bench

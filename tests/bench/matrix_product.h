@@ -1,12 +1,27 @@
 #pragma once
 
+#include <cstddef>
+#include <memory>
 #include <optional>
 
 namespace stridegraph::bench {
 
-/// What this machine's core does at best: 32 bit floating-point operations per second, in thousand millions,
-/// of a large matrix product (Eigen, with AVX2 and fused operations where the build is for x86-64). Nothing
-/// on a machine without these instructions.
-std::optional<double> matrixProductGigaflops();
+/// A large product of matrices of 32 bit floats by Eigen, with AVX2 and fused operations where the build is
+/// for x86-64: what one core does at best.
+class MatrixProduct {
+ public:
+  /// None on a machine without the instructions that this was built for.
+  static std::optional<MatrixProduct> create();
+  MatrixProduct(MatrixProduct&&) noexcept;
+  ~MatrixProduct();
+
+  /// Multiplies; the floating-point operations done.
+  std::size_t multiply();
+
+ private:
+  struct Matrices;
+  explicit MatrixProduct(std::unique_ptr<Matrices> matrices);
+  std::unique_ptr<Matrices> matrices_;
+};
 
 }  // namespace stridegraph::bench

@@ -8,19 +8,20 @@
 #include <numeric>
 #include <string_view>
 
+#include "base/check.h"
+#include "fastest.h"
 #include "graph/pose_distance.h"
 #include "graph/transition_scan.h"
 #include "matrix_product.h"
-#include "stopwatch.h"
 #include "varied_clips.h"
 
 namespace stridegraph::bench {
 namespace {
 
 constexpr std::size_t kJoints = 20;
-constexpr std::size_t kFrames = 4'000;
-constexpr std::size_t kFramesOfPlainLoop = 300;
-constexpr int kRuns = 15;
+constexpr std::size_t kFrames = 1'500;
+constexpr std::size_t kFramesOfPlainLoop = 100;
+constexpr int kTurns = 60;
 
 /// The products and their sums that one pair of frames costs: along, across and height of each joint, along
 /// and across of the path of the centre. What combines them comes on top.
@@ -62,66 +63,80 @@ Prepared prepare() {
   return prepared;
 }
 
-double rowsPerSecond(const Prepared& prepared) {
+/// Compares all pairs of clips; their pairs of frames.
+std::size_t compareAll(const Prepared& prepared, DistanceRows& rows) {
   std::size_t pairs = 0;
-  std::uint64_t sum = 0;
-  const double seconds = leastSeconds(kRuns, [&] {
-    pairs = 0;
-    DistanceRows rows(prepared.features[0], prepared.features[0]);
-    for (const ClipFeatures& a : prepared.features) {
-      for (const ClipFeatures& b : prepared.features) {
-        rows.restart(a, b);
-        while (rows.advance() != 0) sum += rows.row(0).front();
-        pairs += a.windowCount() * b.windowCount();
+  for (const ClipFeatures& a : prepared.features) {
+    for (const ClipFeatures& b : prepared.features) {
+      rows.restart(a, b);
+      while (rows.advance() != 0) {
+      }
+      pairs += a.windowCount() * b.windowCount();
+    }
+  }
+  return pairs;
+}
+
+std::size_t scanAll(const Prepared& prepared) {
+  TransitionScan scan(prepared.features, ValleyParams{});
+  while (scan.step()) {
+  }
+  return scan.framePairs();
+}
+
+/// The plain loop over all pairs of windows, whose positions are known.
+class PlainLoop {
+ public:
+  explicit PlainLoop(const Prepared& prepared) : weights_(windowWeights(prepared.skeleton)) {
+    for (const Clip& clip : prepared.clips) {
+      for (std::size_t f = kWindowReach; f + kWindowReach < clip.frameCount(); ++f) {
+        if (windows_.size() < kFramesOfPlainLoop)
+          windows_.push_back(windowPositions(prepared.skeleton, clip, f));
       }
     }
-  });
-  return sum == 0 ? 0.0 : static_cast<double>(pairs) / seconds;
-}
-
-double scanPerSecond(const Prepared& prepared) {
-  std::size_t pairs = 0;
-  const double seconds = leastSeconds(kRuns, [&] {
-    TransitionScan scan(prepared.features, ValleyParams{});
-    while (scan.step()) {
-    }
-    pairs = scan.framePairs();
-  });
-  return static_cast<double>(pairs) / seconds;
-}
-
-double plainLoopPerSecond(const Prepared& prepared) {
-  const std::vector<double> weights = windowWeights(prepared.skeleton);
-  std::vector<std::vector<Vec3>> windows;
-  for (const Clip& clip : prepared.clips) {
-    for (std::size_t f = kWindowReach; f + kWindowReach < clip.frameCount(); ++f) {
-      if (windows.size() < kFramesOfPlainLoop) windows.push_back(windowPositions(prepared.skeleton, clip, f));
-    }
   }
-  double sum = 0.0;
-  const double seconds = leastSeconds(3, [&] {
-    for (const std::vector<Vec3>& a : windows) {
-      for (const std::vector<Vec3>& b : windows) sum += windowDistanceMetres(a, b, weights);
+  std::size_t compareAll() {
+    for (const std::vector<Vec3>& a : windows_) {
+      for (const std::vector<Vec3>& b : windows_) sum_ += windowDistanceMetres(a, b, weights_);
     }
-  });
-  return sum == 0.0 ? 0.0 : static_cast<double>(windows.size() * windows.size()) / seconds;
-}
+    return windows_.size() * windows_.size();
+  }
+  double sum() const { return sum_; }
 
+ private:
+  std::vector<double> weights_;
+  std::vector<std::vector<Vec3>> windows_;
+  double sum_ = 0.0;
+};
+
+/// Takes turns between all that is measured, so that none has the machine at a better time than another.
 nlohmann::ordered_json measure() {
   const Prepared prepared = prepare();
-  const double rows = rowsPerSecond(prepared);
-  nlohmann::ordered_json table = {{"joints", prepared.features.front().jointCount()},
-                                  {"window", kWindowFrames},
-                                  {"frames", kFrames},
-                                  {"pairsPerSecond",
-                                   {{"rows", rows},
-                                    {"rowsAndScan", scanPerSecond(prepared)},
-                                    {"plainLoop", plainLoopPerSecond(prepared)}}}};
-  table["gigaflops"]["rows"] = rows * static_cast<double>(kOperationsOfPair) / 1e9;
-  if (const std::optional<double> peak = matrixProductGigaflops()) {
-    table["gigaflops"]["matrixProduct"] = *peak;
-    table["shareOfMatrixProduct"] = table["gigaflops"]["rows"].get<double>() / *peak;
+  DistanceRows distances(prepared.features[0], prepared.features[0]);
+  PlainLoop loop(prepared);
+  std::optional<MatrixProduct> product = MatrixProduct::create();
+  Fastest rows;
+  Fastest scan;
+  Fastest plain;
+  Fastest matrix;
+  for (int turn = 0; turn < kTurns; ++turn) {
+    rows.time([&] { return compareAll(prepared, distances); });
+    scan.time([&] { return scanAll(prepared); });
+    plain.time([&] { return loop.compareAll(); });
+    if (product) matrix.time([&] { return product->multiply(); });
   }
+  STRIDEGRAPH_CHECK(loop.sum() > 0.0);
+  nlohmann::ordered_json table = {
+      {"joints", prepared.features.front().jointCount()},
+      {"window", kWindowFrames},
+      {"frames", kFrames},
+      {"pairsPerSecond",
+       {{"rows", rows.perSecond()}, {"rowsAndScan", scan.perSecond()}, {"plainLoop", plain.perSecond()}}}};
+  const double gigaflops = rows.perSecond() * static_cast<double>(kOperationsOfPair) / 1e9;
+  table["gigaflops"]["rows"] = gigaflops;
+  if (!product) return table;
+  table["gigaflops"]["matrixProduct"] = matrix.perSecond() / 1e9;
+  table["shareOfMatrixProduct"] = gigaflops / (matrix.perSecond() / 1e9);
   return table;
 }
 
