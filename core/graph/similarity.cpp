@@ -111,6 +111,7 @@ void DistanceRows::multiplyFrames(std::size_t firstFrame) {
 }
 
 std::size_t DistanceRows::advance() {
+  if (rows_ == nullptr) return 0;
   const std::size_t rowCount = rows_->windowCount();
   if (nextRow_ >= rowCount || columns_->windowCount() == 0) return 0;
   if (nextRow_ == 0) multiplyFrames(0);

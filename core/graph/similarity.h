@@ -23,6 +23,8 @@ class DistanceRows {
  public:
   static constexpr std::size_t kRowsAtOnce = kProductRows;
 
+  /// No rows until restart().
+  DistanceRows() = default;
   DistanceRows(const ClipFeatures& rows, const ClipFeatures& columns);
   /// Of a clip with itself: each row begins at least `reach` columns before the diagonal or at 0; what lies
   /// farther left is the mirror image of what lies right, and is not computed.

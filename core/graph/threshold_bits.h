@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <vector>
 
+#include "graph/recent_rows.h"
 #include "graph/warped_lines.h"
 
 namespace stridegraph {
@@ -13,19 +13,24 @@ namespace stridegraph {
 /// tried at 64 columns at once and most of the matrix is done with after a glance.
 class ThresholdBits {
  public:
-  /// Keeps `rows` rows of `columns` cells; lines reach at most `reach` columns back.
-  ThresholdBits(std::size_t rows, std::size_t columns, std::size_t reach);
+  static constexpr std::size_t kWordBits = 64;
+  static std::size_t wordsFor(std::size_t columns) { return columns / kWordBits + 1; }
 
-  /// The next row; cells left of `firstColumn` count as over the limit.
+  /// Forgets all and keeps `rows` rows of `columns` cells from now on; lines reach at most `reach` columns
+  /// back.
+  void restart(std::size_t rows, std::size_t columns, std::size_t reach);
+
+  /// The next row; cells left of `firstColumn` count as over the limit. Distances and limit are below 2^31.
   void addRow(std::span<const std::uint32_t> micrometres, std::size_t firstColumn, std::uint32_t limit);
-  /// Appends the columns at which a line that ends in the last row is under the threshold from end to end.
-  void findLines(const WarpedLine& line, std::vector<std::size_t>& lastColumns) const;
+  /// Of the last row, columns 64 word and on: the lowest bit is the first column.
+  std::uint64_t word(std::size_t word) const { return rows_.back(0)[padding_ + word]; }
+  /// The same columns, those at which a line that ends in the last row is under the threshold from end to
+  /// end.
+  std::uint64_t lineEnds(const WarpedLine& line, std::size_t word) const;
 
  private:
-  std::size_t columns_;
-  std::size_t padding_;  ///< Words of zeros before each row.
-  std::vector<std::vector<std::uint64_t>> rows_;
-  std::size_t count_ = 0;
+  std::size_t padding_ = 0;  ///< Words of zeros before each row.
+  RecentRows<std::uint64_t> rows_;
 };
 
 }  // namespace stridegraph
