@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "graph/pose_distance.h"
+#include "graph/window_sums.h"
 #include "motion/kinematics.h"
 
 namespace stridegraph {
@@ -75,10 +76,8 @@ ClipFeatures::ClipFeatures(const Skeleton& skeleton, const FeatureBasis& basis, 
       motion_(wholePanels(frameCount_) * kFloorTerms * kMotionPoints),
       energies_(paddedCount_, 0.0F) {
   for (std::size_t f = 0; f < frameCount_; ++f) addFrame(basis, f, jointPositions(skeleton, clip.pose(f)));
-  for (std::size_t w = 0; w < windowCount(); ++w) {
-    addMotion(w);
-    addEnergy(w);
-  }
+  for (std::size_t w = 0; w < windowCount(); ++w) addMotion(w);
+  for (std::size_t w = 0; w < windowCount(); w += kWindowsAtOnce) addEnergies(w);
 }
 
 std::size_t ClipFeatures::windowCount() const {
@@ -118,17 +117,22 @@ void ClipFeatures::addMotion(std::size_t window) {
   }
 }
 
-void ClipFeatures::addEnergy(std::size_t window) {
-  const float* motion = columnOf(motion_, kFloorTerms * kMotionPoints, window);
-  float along = selfProducts(motion, PointTerms::kFloor, kMotionPoints).along;
-  float height = 0.0F;
-  for (std::size_t d = 0; d < kWindowFrames; ++d) {
-    const float* frame = columnOf(frames_, kSpaceTerms * jointCount_, window + d);
+void ClipFeatures::addEnergies(std::size_t firstWindow) {
+  std::array<float, kFramesOfWindows> along{};
+  std::array<float, kFramesOfWindows> height{};
+  for (std::size_t d = 0; d < kFramesOfWindows && firstWindow + d < frameCount_; ++d) {
+    const float* frame = columnOf(frames_, kSpaceTerms * jointCount_, firstWindow + d);
     const SelfProducts products = selfProducts(frame, PointTerms::kSpace, jointCount_);
-    along += products.along;
-    height += products.height;
+    along[d] = products.along;
+    height[d] = products.height;
   }
-  energies_[window] = along + height;
+  const std::array<float, kWindowsAtOnce> alongSums = windowSums(along);
+  const std::array<float, kWindowsAtOnce> heightSums = windowSums(height);
+  for (std::size_t k = 0; k < kWindowsAtOnce && firstWindow + k < windowCount(); ++k) {
+    const float* motion = columnOf(motion_, kFloorTerms * kMotionPoints, firstWindow + k);
+    const float ofMotion = selfProducts(motion, PointTerms::kFloor, kMotionPoints).along;
+    energies_[firstWindow + k] = (ofMotion + alongSums[k]) + heightSums[k];
+  }
 }
 
 }  // namespace stridegraph

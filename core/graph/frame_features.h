@@ -51,7 +51,7 @@ class ClipFeatures {
  private:
   void addFrame(const FeatureBasis& basis, std::size_t frame, std::span<const Vec3> positions);
   void addMotion(std::size_t window);
-  void addEnergy(std::size_t window);
+  void addEnergies(std::size_t firstWindow);
 
   std::size_t frameCount_;
   std::size_t paddedCount_;

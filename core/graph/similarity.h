@@ -42,18 +42,26 @@ class DistanceRows {
  private:
   static constexpr std::size_t kRing = 2 * kRowsAtOnce;  ///< Frames whose products are kept.
 
+  /// Columns before the first and beyond the last of each row in memory, which windows at the borders reach
+  /// into.
+  static constexpr std::size_t kLead = kPanelColumns;
+  static constexpr std::size_t kTail = 2 * kPanelColumns;
+
   std::size_t firstColumnFor(std::size_t row) const;
+  ProductTargets targetsAt(std::size_t slot);
   void multiplyFrames(std::size_t firstFrame);
-  void combine(std::size_t row, std::size_t k);
+  void multiplyMotion();
+  void combine();
 
   const ClipFeatures* rows_ = nullptr;
   const ClipFeatures* columns_ = nullptr;
   std::size_t reach_ = 0;
-  std::size_t stride_ = 0;  ///< Columns, in whole panels, and one panel that windows at the end reach into.
+  std::size_t stride_ = 0;
   std::size_t nextRow_ = 0;
   std::size_t firstColumn_ = 0;
   std::vector<float> along_, across_, height_;     ///< kRing rows of frame products.
   std::vector<float> motionAlong_, motionAcross_;  ///< kRowsAtOnce rows of window products.
+  std::vector<float> energies_;                    ///< Of the columns.
   std::vector<std::uint32_t> distances_;           ///< kRowsAtOnce rows.
 };
 
