@@ -42,14 +42,27 @@ std::uint64_t underLimit(const std::uint32_t* micrometres, std::uint32_t limit) 
 
 }  // namespace
 
+BitLine::BitLine(const WarpedLine& line) {
+  constexpr std::size_t kWordBits = ThresholdBits::kWordBits;
+  for (const CellBack& cell : line.cells)
+    cells_.push_back({static_cast<std::uint32_t>(cell.rows),
+                      static_cast<std::uint32_t>(cell.columns / kWordBits),
+                      static_cast<std::uint32_t>(cell.columns % kWordBits)});
+  while (cells_.size() % kCellsAtOnce != 0) cells_.push_back(Cell{cells_.front()});
+}
+
 void ThresholdBits::restart(std::size_t rows, std::size_t columns, std::size_t reach) {
   padding_ = reach / kWordBits + 1;
   rows_.restart(rows, padding_ + wordsFor(columns));
+  recent_.resize(rows);
+  for (std::size_t k = 0; k < rows; ++k) recent_[k] = rows_.back(k) + padding_;
 }
 
 void ThresholdBits::addRow(std::span<const std::uint32_t> micrometres, std::size_t firstColumn,
                            std::uint32_t limit) {
   std::uint64_t* words = rows_.push() + padding_;
+  std::copy_backward(recent_.begin(), recent_.end() - 1, recent_.end());
+  recent_[0] = words;
   for (std::size_t begin = 0; begin < micrometres.size(); begin += kWordBits) {
     std::uint64_t& word = words[begin / kWordBits];
     word = 0;
@@ -66,13 +79,15 @@ void ThresholdBits::addRow(std::span<const std::uint32_t> micrometres, std::size
   }
 }
 
-std::uint64_t ThresholdBits::lineEnds(const WarpedLine& line, std::size_t word) const {
+std::uint64_t ThresholdBits::lineEnds(const BitLine& line, std::size_t word) const {
   std::uint64_t under = ~std::uint64_t{0};
-  for (const CellBack& cell : line.cells) {
-    const std::uint64_t* words = rows_.back(cell.rows) + padding_ + word - cell.columns / kWordBits;
-    const std::size_t shift = cell.columns % kWordBits;
-    under &= shift == 0 ? words[0] : words[0] << shift | words[-1] >> (kWordBits - shift);
-    if (under == 0) break;
+  for (std::size_t k = 0; k < line.cells_.size() && under != 0; k += BitLine::kCellsAtOnce) {
+    for (std::size_t i = k; i < k + BitLine::kCellsAtOnce; ++i) {
+      const BitLine::Cell& cell = line.cells_[i];
+      const std::uint64_t* words = recent_[cell.rows] + word - cell.words;
+      // In two steps, since none may be as long as the word.
+      under &= words[0] << cell.bits | words[-1] >> 1 >> (kWordBits - 1 - cell.bits);
+    }
   }
   return under;
 }

@@ -1,6 +1,7 @@
 #include "graph/valleys.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <tuple>
 
@@ -14,6 +15,12 @@ namespace {
 std::size_t apart(std::size_t a, std::size_t b) {
   return a > b ? a - b : b - a;
 }
+
+/// So that the sum of a line under the threshold fits 32 bits, however long it is: 8 m.
+constexpr std::uint32_t kLargestLimit = 8'000'000;
+constexpr std::size_t kMostFrames = 400;
+static_assert(std::uint64_t{kLargestLimit} * (4 * kMostFrames / 3 + 1) < std::uint64_t{1} << 32);
+static_assert(std::uint64_t{kFarMicrometres} * kMostFrames < std::uint64_t{1} << 32);
 
 constexpr std::size_t kWordBits = ThresholdBits::kWordBits;
 
@@ -58,6 +65,26 @@ STRIDEGRAPH_WIDE void sumWide(const SumRow& row) {
   sumColumns(row);
 }
 
+/// Sums of lines that end in columns beside one another: where one is under the threshold, so are others.
+constexpr std::size_t kClump = 8;
+using ClumpSums = std::array<std::uint32_t, kClump>;
+
+STRIDEGRAPH_INLINE ClumpSums clumpSums(std::span<const std::uint32_t* const> cells, std::size_t column) {
+  ClumpSums sums{};
+  for (const std::uint32_t* cell : cells) {
+    for (std::size_t k = 0; k < kClump; ++k) sums[k] += cell[column + k];
+  }
+  return sums;
+}
+
+STRIDEGRAPH_WIDE ClumpSums clumpSumsWide(std::span<const std::uint32_t* const> cells, std::size_t column) {
+  return clumpSums(cells, column);
+}
+
+ClumpSums sumClump(std::span<const std::uint32_t* const> cells, std::size_t column) {
+  return hasWideRegisters() ? clumpSumsWide(cells, column) : clumpSums(cells, column);
+}
+
 double metresOf(std::uint64_t sumMicrometres, std::uint64_t cells) {
   return static_cast<double>(sumMicrometres) / static_cast<double>(cells) / kMicrometresPerMetre;
 }
@@ -77,12 +104,12 @@ bool ValleyFinder::Leaning::precedes(const Leaning& other) const {
 ValleyFinder::ValleyFinder(const ValleyParams& params)
     : params_(params),
       limitMicrometres_(static_cast<std::uint32_t>(
-          std::min(params.thresholdMetres * kMicrometresPerMetre, static_cast<double>(kFarMicrometres - 1)))),
-      diagonal_(diagonalLine(params.transitionFrames - 1)),
+          std::min(params.thresholdMetres * kMicrometresPerMetre, static_cast<double>(kLargestLimit)))),
+      diagonalBits_(diagonalLine(params.transitionFrames - 1)),
       lines_(warpedLines(params.transitionFrames - 1, params.largestSpanRatio)),
+      lineBits_(lines_.begin(), lines_.end()),
       largestLean_(lines_.empty() ? 0 : lines_.back().lean()) {
-  // A sum of l distances, each kFarMicrometres at most, has to fit 32 bits.
-  STRIDEGRAPH_CHECK(params.transitionFrames >= 2 && params.transitionFrames <= 400);
+  STRIDEGRAPH_CHECK(params.transitionFrames >= 2 && params.transitionFrames <= kMostFrames);
   STRIDEGRAPH_CHECK(params.neighbourFrames <= 1000);
   STRIDEGRAPH_CHECK(params.largestSpanRatio >= 1.0 && params.largestSpanRatio <= 2.0);
   leaning_.resize(lines_.empty() ? 0 : 4 * params.neighbourFrames + 4 * largestLean_ + 4);
@@ -96,7 +123,7 @@ void ValleyFinder::restart(std::size_t columns) {
   oneClip_ = false;
   rows_ = 0;
   judged_ = 0;
-  distances_.restart(crossed + 1, params_.transitionFrames + columns);
+  distances_.restart(crossed + 1, params_.transitionFrames + columns + kClump);
   sums_.restart(compared, columns + 1);
   diagonals_.restart(compared, ThresholdBits::wordsFor(columns));
   under_.restart(crossed + 1, columns, crossed);
@@ -154,10 +181,10 @@ void ValleyFinder::findLines() {
     diagonals[w] = 0;
     const std::uint64_t allowed = bitsFrom(firstColumn, w);
     if ((under_.word(w) & allowed) == 0) continue;
-    diagonals[w] = under_.lineEnds(diagonal_, w) & allowed;
-    for (const WarpedLine& line : lines_) {
-      const std::uint64_t lastColumns = under_.lineEnds(line, w) & allowed;
-      if (lastColumns != 0) addLeaning(line, w, lastColumns);
+    diagonals[w] = under_.lineEnds(diagonalBits_, w) & allowed;
+    for (std::size_t k = 0; k < lines_.size(); ++k) {
+      const std::uint64_t lastColumns = under_.lineEnds(lineBits_[k], w) & allowed;
+      if (lastColumns != 0) addLeaning(lines_[k], w, lastColumns);
     }
   }
 }
@@ -165,16 +192,19 @@ void ValleyFinder::findLines() {
 void ValleyFinder::addLeaning(const WarpedLine& line, std::size_t word, std::uint64_t lastColumns) {
   const std::size_t length = params_.transitionFrames;
   const std::size_t row = rows_ - 1 - line.rowSpan;
+  std::vector<Leaning>& leaning = leaningAt(2 * row + line.rowSpan);
   cells_.clear();
   for (const CellBack& cell : line.cells)
     cells_.push_back(distances_.back(cell.rows) + length - cell.columns);
-  for (; lastColumns != 0; lastColumns &= lastColumns - 1) {
-    const std::size_t lastColumn = columnOf(word, lastColumns);
-    const std::size_t column = lastColumn - line.columnSpan;
-    if (oneClip_ && column < row + length) continue;
-    Leaning leaning{&line, 2 * row + line.rowSpan, 2 * column + line.columnSpan, 0};
-    for (const std::uint32_t* cells : cells_) leaning.sum += cells[lastColumn];
-    leaningAt(leaning.middleRow2).push_back(leaning);
+  while (lastColumns != 0) {
+    const std::size_t first = columnOf(word, lastColumns);
+    const ClumpSums sums = sumClump(cells_, first);
+    for (std::size_t k = 0; k < sums.size() && lastColumns != 0; k = columnOf(word, lastColumns) - first) {
+      lastColumns &= lastColumns - 1;
+      const std::size_t column = first + k - line.columnSpan;
+      if (!oneClip_ || column >= row + length)
+        leaning.push_back({&line, 2 * row + line.rowSpan, 2 * column + line.columnSpan, sums[k]});
+    }
   }
 }
 

@@ -99,8 +99,9 @@ class ValleyFinder {
 
   ValleyParams params_;
   std::uint32_t limitMicrometres_;
-  WarpedLine diagonal_;
+  BitLine diagonalBits_;
   std::vector<WarpedLine> lines_;
+  std::vector<BitLine> lineBits_;  ///< For each of lines_.
   std::size_t largestLean_;
   std::size_t columns_ = 0;
   bool oneClip_ = false;

@@ -13,7 +13,7 @@ namespace {
 std::vector<std::size_t> lineEnds(const ThresholdBits& bits, const WarpedLine& line, std::size_t columns) {
   std::vector<std::size_t> ends;
   for (std::size_t c = 0; c < columns; ++c) {
-    const std::uint64_t word = bits.lineEnds(line, c / ThresholdBits::kWordBits);
+    const std::uint64_t word = bits.lineEnds(BitLine(line), c / ThresholdBits::kWordBits);
     if ((word >> c % ThresholdBits::kWordBits & 1U) != 0) ends.push_back(c);
   }
   return ends;
