@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <tuple>
 
 #include "base/bits.h"
 #include "base/wide.h"
@@ -40,29 +41,59 @@ std::uint64_t underLimit(const std::uint32_t* micrometres, std::uint32_t limit) 
   return hasWideRegisters() ? wordOfWide(micrometres, limit) : wordOf(micrometres, limit);
 }
 
+/// The columns of a word moved on by less than a word, with what comes in from the word before.
+STRIDEGRAPH_INLINE std::uint64_t movedOn(const std::uint64_t* word, std::size_t columns) {
+  // In two steps, since none may be as long as the word.
+  return word[0] << columns | word[-1] >> 1 >> (ThresholdBits::kWordBits - 1 - columns);
+}
+
 }  // namespace
 
 BitLine::BitLine(const WarpedLine& line) {
-  constexpr std::size_t kWordBits = ThresholdBits::kWordBits;
-  for (const CellBack& cell : line.cells)
-    cells_.push_back({static_cast<std::uint32_t>(cell.rows),
-                      static_cast<std::uint32_t>(cell.columns / kWordBits),
-                      static_cast<std::uint32_t>(cell.columns % kWordBits)});
-  while (cells_.size() % kCellsAtOnce != 0) cells_.push_back(Cell{cells_.front()});
+  std::vector<CellBack> cells = line.cells;
+  std::sort(cells.begin(), cells.end(), [](const CellBack& a, const CellBack& b) {
+    return std::tie(a.rows, a.columns) < std::tie(b.rows, b.columns);
+  });
+  for (std::size_t begin = 0; begin < cells.size();) {
+    std::size_t end = begin + 1;
+    while (end < cells.size() && cells[end].rows == cells[end - 1].rows + 1 &&
+           cells[end].columns == cells[end - 1].columns + 1)
+      ++end;
+    cover(cells[begin], end - begin);
+    begin = end;
+  }
+}
+
+void BitLine::cover(const CellBack& last, std::size_t length) {
+  std::size_t logarithm = 0;
+  while (logarithm + 1 < kLengths && std::size_t{2} << logarithm <= length) ++logarithm;
+  const std::size_t piece = std::size_t{1} << logarithm;
+  // The last piece may overlap the one before.
+  for (std::size_t done = 0; done < length; done += piece) {
+    const std::size_t at = std::min(done, length - piece);
+    const std::size_t columns = last.columns + at;
+    pieces_.push_back({(last.rows + at) * kLengths + logarithm, columns / ThresholdBits::kWordBits,
+                       columns % ThresholdBits::kWordBits});
+  }
 }
 
 void ThresholdBits::restart(std::size_t rows, std::size_t columns, std::size_t reach) {
   padding_ = reach / kWordBits + 1;
-  rows_.restart(rows, padding_ + wordsFor(columns));
-  recent_.resize(rows);
-  for (std::size_t k = 0; k < rows; ++k) recent_[k] = rows_.back(k) + padding_;
+  const std::size_t width = padding_ + wordsFor(columns);
+  rows_.restart(rows, BitLine::kLengths * width);
+  recent_.resize(rows * BitLine::kLengths);
+  for (std::size_t k = 0; k < recent_.size(); ++k)
+    recent_[k] = rows_.back(k / BitLine::kLengths) + k % BitLine::kLengths * width + padding_;
 }
 
 void ThresholdBits::addRow(std::span<const std::uint32_t> micrometres, std::size_t firstColumn,
                            std::uint32_t limit) {
-  std::uint64_t* words = rows_.push() + padding_;
-  std::copy_backward(recent_.begin(), recent_.end() - 1, recent_.end());
-  recent_[0] = words;
+  // The oldest row becomes the newest.
+  std::array<std::uint64_t*, BitLine::kLengths> oldest;
+  std::copy(recent_.end() - BitLine::kLengths, recent_.end(), oldest.begin());
+  std::copy_backward(recent_.begin(), recent_.end() - BitLine::kLengths, recent_.end());
+  std::copy(oldest.begin(), oldest.end(), recent_.begin());
+  std::uint64_t* words = recent_[0];
   for (std::size_t begin = 0; begin < micrometres.size(); begin += kWordBits) {
     std::uint64_t& word = words[begin / kWordBits];
     word = 0;
@@ -77,17 +108,27 @@ void ThresholdBits::addRow(std::span<const std::uint32_t> micrometres, std::size
     }
     if (begin < firstColumn) word &= ~std::uint64_t{0} << (firstColumn - begin);
   }
+  findPieces(wordsFor(micrometres.size()));
+}
+
+void ThresholdBits::findPieces(std::size_t words) {
+  for (std::size_t k = 0; k + 1 < BitLine::kLengths; ++k) {
+    const std::size_t half = std::size_t{1} << k;
+    // Two pieces of half the length, one behind the other; a ring too short for them is never asked.
+    const std::size_t before = half * BitLine::kLengths + k;
+    if (before >= recent_.size()) return;
+    const std::uint64_t* last = recent_[k];
+    const std::uint64_t* earlier = recent_[before];
+    std::uint64_t* both = recent_[k + 1];
+    for (std::size_t w = 0; w < words; ++w) both[w] = last[w] & movedOn(earlier + w, half);
+  }
 }
 
 std::uint64_t ThresholdBits::lineEnds(const BitLine& line, std::size_t word) const {
   std::uint64_t under = ~std::uint64_t{0};
-  for (std::size_t k = 0; k < line.cells_.size() && under != 0; k += BitLine::kCellsAtOnce) {
-    for (std::size_t i = k; i < k + BitLine::kCellsAtOnce; ++i) {
-      const BitLine::Cell& cell = line.cells_[i];
-      const std::uint64_t* words = recent_[cell.rows] + word - cell.words;
-      // In two steps, since none may be as long as the word.
-      under &= words[0] << cell.bits | words[-1] >> 1 >> (kWordBits - 1 - cell.bits);
-    }
+  for (const BitLine::Piece& piece : line.pieces_) {
+    under &= movedOn(recent_[piece.row] + word - piece.words, piece.bits);
+    if (under == 0) break;
   }
   return under;
 }

@@ -10,22 +10,25 @@
 
 namespace stridegraph {
 
-/// A line as ThresholdBits looks for it.
+/// A line as ThresholdBits looks for it: pieces of diagonals, each of 1, 2 or 4 cells, which together cover
+/// all of its cells.
 class BitLine {
  public:
   explicit BitLine(const WarpedLine& line);
 
  private:
   friend class ThresholdBits;
-  struct Cell {
-    std::uint32_t rows = 0;
-    std::uint32_t words = 0;
-    std::uint32_t bits = 0;
+  /// Lengths of pieces are powers of two up to 2^(kLengths - 1).
+  static constexpr std::size_t kLengths = 3;
+  /// Where a piece ends, counted back from the line's last cell.
+  struct Piece {
+    std::size_t row = 0;  ///< kLengths times the rows, and the logarithm of the length.
+    std::size_t words = 0;
+    std::size_t bits = 0;
   };
-  /// Tried at once, without a glance in between.
-  static constexpr std::size_t kCellsAtOnce = 4;
+  void cover(const CellBack& last, std::size_t length);
 
-  std::vector<Cell> cells_;  ///< As many as a multiple of kCellsAtOnce; the first fills up.
+  std::vector<Piece> pieces_;
 };
 
 /// Which cells of the last rows of a similarity matrix are under the threshold, a bit each, so that a line is
@@ -48,9 +51,12 @@ class ThresholdBits {
   std::uint64_t lineEnds(const BitLine& line, std::size_t word) const;
 
  private:
+  void findPieces(std::size_t words);
+
   std::size_t padding_ = 0;  ///< Words of zeros before each row.
+  /// A row for each length of a piece: the cells at which such a piece ends, under the limit from end to end.
   RecentRows<std::uint64_t> rows_;
-  std::vector<const std::uint64_t*> recent_;  ///< Where the words of the rows begin, the last row first.
+  std::vector<std::uint64_t*> recent_;  ///< Where the words of these rows begin, the last row first.
 };
 
 }  // namespace stridegraph
