@@ -1,9 +1,11 @@
 // How many pairs of frames are compared in a second on one core: the distances alone, with the search for
 // transitions, and by the plain loop; and what share that is of a matrix product's speed in the same run.
-//   build/release/bench/similarity_bench [--json]
+//   build/release/bench/similarity_bench [--json | --clips FOLDER]
+// --clips writes the clips that are compared, as BVH, for similarity_node.mjs.
 #include <fmt/format.h>
 
 #include <cstdlib>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <string_view>
@@ -13,6 +15,7 @@
 #include "graph/pose_distance.h"
 #include "graph/transition_scan.h"
 #include "matrix_product.h"
+#include "motion/bvh_writer.h"
 #include "varied_clips.h"
 
 namespace stridegraph::bench {
@@ -152,13 +155,32 @@ void print(const nlohmann::ordered_json& table) {
                100.0 * table["shareOfMatrixProduct"].get<double>());
 }
 
+nlohmann::ordered_json describe(const std::vector<BvhDocument>& documents) {
+  return {{"joints", kJoints}, {"window", kWindowFrames}, {"clips", documents.size()}};
+}
+
+/// Writes the clips into a folder that exists, as 0.bvh, 1.bvh and so on.
+bool writeClips(const std::string& folder) {
+  const std::vector<BvhDocument> documents = clipsOfManyJoints(kFrames);
+  for (std::size_t c = 0; c < documents.size(); ++c) {
+    std::ofstream file(fmt::format("{}/{}.bvh", folder, c));
+    file << writeBvh(documents[c].skeleton, documents[c].layout, documents[c].clip);
+    if (!file) return false;
+  }
+  fmt::print("{}\n", describe(documents).dump());
+  return true;
+}
+
 }  // namespace
 }  // namespace stridegraph::bench
 
 int main(int argumentCount, char** arguments) {
   using namespace stridegraph;
+  const std::string_view option = argumentCount > 1 ? arguments[1] : "";
+  if (option == "--clips")
+    return argumentCount == 3 && bench::writeClips(arguments[2]) ? EXIT_SUCCESS : EXIT_FAILURE;
   const nlohmann::ordered_json table = bench::measure();
-  if (argumentCount > 1 && arguments[1] == std::string_view("--json"))
+  if (option == "--json")
     fmt::print("{}\n", table.dump(2));
   else
     bench::print(table);

@@ -220,6 +220,34 @@ TEST(ValleyFinder, leansOnlyWhereNoDiagonalIsNearlyAsGood) {
   EXPECT_EQ(regions[0].rowSpan, 10U);
 }
 
+TEST(ValleyFinder, forgetsTheMatrixBefore) {
+  Random random(13);
+  const ValleyParams params{.transitionFrames = 5, .neighbourFrames = 3};
+  ValleyFinder finder(params);
+  for (int i = 0; i < 6; ++i) {
+    Matrix matrix = filled(30 + random.below(10), 30 + random.below(90), 0);
+    for (auto& row : matrix) {
+      for (std::uint32_t& cell : row) cell = static_cast<std::uint32_t>(random.below(8) * 8'000);
+    }
+    const bool oneClip = i % 2 == 0;
+    if (oneClip)
+      finder.restartOfOneClip(matrix[0].size());
+    else
+      finder.restart(matrix[0].size());
+    const std::vector<Region> found = regionsIn(finder, matrix);
+    const std::vector<Region> expected =
+        oneClip ? regionsOfOneClip(params, matrix) : regionsOf(params, matrix);
+    ASSERT_FALSE(expected.empty());
+    ASSERT_EQ(found.size(), expected.size());
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      EXPECT_EQ(found[k].row, expected[k].row);
+      EXPECT_EQ(found[k].column, expected[k].column);
+      EXPECT_EQ(found[k].rowSpan, expected[k].rowSpan);
+      EXPECT_EQ(found[k].meanDistanceMetres, expected[k].meanDistanceMetres);
+    }
+  }
+}
+
 TEST(ValleyFinder, ofOneClipLeavesOutWhatLiesNearTheDiagonal) {
   Matrix matrix = filled(40, 40, 90'000);
   for (std::size_t k = 0; k + 20 < 40; ++k) matrix[k][k + 20] = 20'000 + 100 * static_cast<std::uint32_t>(k);
