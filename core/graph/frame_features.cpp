@@ -72,7 +72,7 @@ ClipFeatures::ClipFeatures(const Skeleton& skeleton, const FeatureBasis& basis, 
       paddedCount_(wholePanels(frameCount_) * kPanelColumns),
       jointCount_(basis.joints.size()),
       centres_(frameCount_, Vec2::Zero()),
-      frames_(wholePanels(frameCount_) * kSpaceTerms * jointCount_),
+      frames_((wholePanels(frameCount_) + 1) * kSpaceTerms * jointCount_),
       motion_(wholePanels(frameCount_) * kFloorTerms * kMotionPoints),
       energies_(paddedCount_, 0.0F) {
   for (std::size_t f = 0; f < frameCount_; ++f) addFrame(basis, f, jointPositions(skeleton, clip.pose(f)));

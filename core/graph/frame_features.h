@@ -41,7 +41,7 @@ class ClipFeatures {
   std::size_t paddedCount() const { return paddedCount_; }
   std::size_t jointCount() const { return jointCount_; }
 
-  /// Weighted joints of single frames, with heights: a point for each joint.
+  /// Weighted joints of single frames, with heights: a point for each joint. One panel more than needed.
   const PanelTerm* frames() const { return frames_.data(); }
   /// Path of the centre through each window: kMotionPoints points without heights.
   const PanelTerm* motion() const { return motion_.data(); }

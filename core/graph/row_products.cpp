@@ -62,56 +62,76 @@ STRIDEGRAPH_INLINE void multiplyFloor(Operands operands, const ProductTargets& t
   fourth.store(targets, 3);
 }
 
+/// Heights of one row and two registers of columns.
+template <typename Register>
+struct HeightSums {
+  Register left{};
+  Register right{};
+
+  STRIDEGRAPH_INLINE void add(float rowY, const Register& leftY, const Register& rightY) {
+    left += rowY * leftY;
+    right += rowY * rightY;
+  }
+  STRIDEGRAPH_INLINE void store(const ProductTargets& targets, std::size_t row) const {
+    std::memcpy(targets.height + row * targets.stride, &left, sizeof(Register));
+    std::memcpy(targets.height + row * targets.stride + sizeof(Register) / sizeof(float), &right,
+                sizeof(Register));
+  }
+};
+
+/// Two registers of columns at once, `apart` floats from one another: so that eight sums keep the adders
+/// busy.
 template <typename Register, std::size_t kPoint>
-STRIDEGRAPH_INLINE void multiplyHeights(Operands operands, const ProductTargets& targets) {
-  Register first{};
-  Register second{};
-  Register third{};
-  Register fourth{};
+STRIDEGRAPH_INLINE void multiplyHeights(Operands operands, std::size_t apart, const ProductTargets& targets) {
+  HeightSums<Register> first;
+  HeightSums<Register> second;
+  HeightSums<Register> third;
+  HeightSums<Register> fourth;
   operands.factors += 2 * kPanelColumns;
   operands.columns += 2 * kPanelColumns;
   for (; operands.points != 0; --operands.points, operands.factors += kPoint, operands.columns += kPoint) {
-    Register y;
-    std::memcpy(&y, operands.columns, sizeof(y));
-    first += operands.factors[0] * y;
-    second += operands.factors[1] * y;
-    third += operands.factors[2] * y;
-    fourth += operands.factors[3] * y;
+    Register left;
+    Register right;
+    std::memcpy(&left, operands.columns, sizeof(left));
+    std::memcpy(&right, operands.columns + apart, sizeof(right));
+    first.add(operands.factors[0], left, right);
+    second.add(operands.factors[1], left, right);
+    third.add(operands.factors[2], left, right);
+    fourth.add(operands.factors[3], left, right);
   }
-  std::memcpy(targets.height, &first, sizeof(Register));
-  std::memcpy(targets.height + targets.stride, &second, sizeof(Register));
-  std::memcpy(targets.height + 2 * targets.stride, &third, sizeof(Register));
-  std::memcpy(targets.height + 3 * targets.stride, &fourth, sizeof(Register));
+  first.store(targets, 0);
+  second.store(targets, 1);
+  third.store(targets, 2);
+  fourth.store(targets, 3);
 }
 
-/// All sums of one register of columns. Heights come in a second loop: with all twelve sums at once, some
-/// would be kept in memory.
-template <typename Register, PointTerms kTerms>
-STRIDEGRAPH_INLINE void multiplyRegister(const Operands& operands, const ProductTargets& targets) {
-  constexpr std::size_t kPoint = static_cast<std::size_t>(kTerms) * kPanelColumns;
-  static_assert(kProductRows == 4);
-  multiplyFloor<Register, kPoint>(operands, targets);
-  if constexpr (kTerms == PointTerms::kSpace) multiplyHeights<Register, kPoint>(operands, targets);
-}
-
+/// Heights come in a loop of their own: with all sums at once, some would be kept in memory.
 template <typename Register, PointTerms kTerms>
 STRIDEGRAPH_INLINE void multiplyWith(const float* factors, const ProductColumns& columns,
                                      ProductTargets targets) {
+  static_assert(kProductRows == 4);
   constexpr std::size_t kLanes = sizeof(Register) / sizeof(float);
-  const std::size_t panelTerms = static_cast<std::size_t>(kTerms) * columns.points;
-  const std::size_t firstPanel = columns.begin / kPanelColumns;
-  const PanelTerm* panel = columns.panels + firstPanel * panelTerms;
-  targets.along += firstPanel * kPanelColumns;
-  targets.across += firstPanel * kPanelColumns;
-  if constexpr (kTerms == PointTerms::kSpace) targets.height += firstPanel * kPanelColumns;
-  for (std::size_t column = firstPanel * kPanelColumns; column < columns.end; column += kPanelColumns) {
+  constexpr std::size_t kPoint = static_cast<std::size_t>(kTerms) * kPanelColumns;
+  const std::size_t panelFloats = kPoint * columns.points;
+  const std::size_t apart = kLanes < kPanelColumns ? kLanes : panelFloats;
+  const std::size_t first = columns.begin / kPanelColumns * kPanelColumns;
+  targets.along += first;
+  targets.across += first;
+  if constexpr (kTerms == PointTerms::kSpace) targets.height += first;
+  const float* panel = columns.panels->columns.data() + first / kPanelColumns * panelFloats;
+  bool hasHeights = false;
+  for (std::size_t column = first; column < columns.end; column += kPanelColumns, panel += panelFloats) {
     for (std::size_t lane = 0; lane < kPanelColumns; lane += kLanes) {
-      multiplyRegister<Register, kTerms>({factors, panel->columns.data() + lane, columns.points}, targets);
+      const Operands operands{factors, panel + lane, columns.points};
+      multiplyFloor<Register, kPoint>(operands, targets);
       targets.along += kLanes;
       targets.across += kLanes;
-      if constexpr (kTerms == PointTerms::kSpace) targets.height += kLanes;
+      if constexpr (kTerms == PointTerms::kSpace) {
+        if (!hasHeights) multiplyHeights<Register, kPoint>(operands, apart, targets);
+        hasHeights = !hasHeights;
+        targets.height += kLanes;
+      }
     }
-    panel += panelTerms;
   }
 }
 

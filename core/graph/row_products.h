@@ -21,7 +21,8 @@ struct alignas(sizeof(float) * kPanelColumns) PanelTerm {
 /// of the first point, then those of the next.
 enum class PointTerms : std::size_t { kFloor = 2, kSpace = 3 };
 
-/// Columns begin..end of `panels` and some beyond, up to the ends of their panels.
+/// Columns begin..end of `panels` and some beyond, up to the ends of their panels, and of heights the panel
+/// behind these, too: there must be one more, and room for its products.
 struct ProductColumns {
   const PanelTerm* panels = nullptr;
   std::size_t points = 0;

@@ -10,7 +10,7 @@ namespace stridegraph {
 namespace {
 
 constexpr std::size_t kPanels = 15;
-constexpr std::size_t kStride = kPanels * kPanelColumns;
+constexpr std::size_t kStride = (kPanels - 1) * kPanelColumns;  ///< The last panel is only for heights.
 constexpr float kUntouched = 7.0F;
 
 /// A matrix of panels with `points` points of `terms` terms in each column.
@@ -60,7 +60,7 @@ TEST(RowProducts, areSumsInTheOrderOfThePointsToTheLastBit) {
     const std::size_t row = kProductRows * random.below(kStride / kProductRows);
     const std::size_t begin = random.below(40);
     const std::size_t end = begin + 1 + random.below(kStride - begin);
-    std::vector<float> along(kProductRows * kStride, 0.0F);
+    std::vector<float> along(kProductRows * kStride + kPanelColumns, 0.0F);
     std::vector<float> across = along;
     std::vector<float> height(along.size(), kUntouched);
     multiplyRows(rows.panels.data(), row, terms, {columns.panels.data(), points, begin, end},
