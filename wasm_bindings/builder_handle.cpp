@@ -78,6 +78,10 @@ double BuilderHandle::progress() const {
   return builder_ ? builder_->progress() : 0.0;
 }
 
+double BuilderHandle::framePairs() const {
+  return builder_ ? static_cast<double>(builder_->report().framePairs) : 0.0;
+}
+
 val BuilderHandle::finish() {
   Result<MotionLibrary> library = builder_->finish();
   if (!library) return refuse(library.error());

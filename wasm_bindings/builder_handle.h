@@ -28,6 +28,8 @@ class BuilderHandle {
   emscripten::val start();
   bool step();
   double progress() const;
+  /// BuildReport::framePairs so far.
+  double framePairs() const;
   /// {value: {library, report}} once step() has said false.
   emscripten::val finish();
 

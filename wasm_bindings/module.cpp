@@ -94,6 +94,7 @@ EMSCRIPTEN_BINDINGS(stridegraph) {
       .function("start", &BuilderHandle::start)
       .function("step", &BuilderHandle::step)
       .function("progress", &BuilderHandle::progress)
+      .function("framePairs", &BuilderHandle::framePairs)
       .function("finish", &BuilderHandle::finish);
   function("walkToBvh", &walkToBvh);
   function("walkToGlb", &walkToGlb);

@@ -257,6 +257,8 @@ export interface BuildOptions {
 export interface LibraryBuild {
   /** 0..1. */
   readonly progress: number
+  /** Pairs of frames compared so far. */
+  readonly framePairs: number
   /** Some milliseconds of work; false when nothing is left but finish(). */
   step(): boolean
   /** The library; does the steps that are left. */

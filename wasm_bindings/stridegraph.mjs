@@ -195,6 +195,10 @@ class LibraryBuild {
     return readingShare * read + (1 - readingShare) * this.#handle.raw.progress()
   }
 
+  get framePairs() {
+    return this.#handle.raw.framePairs()
+  }
+
   /** Some milliseconds of work; false when nothing is left but finish(). */
   step() {
     const raw = this.#handle.raw

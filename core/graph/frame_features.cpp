@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "graph/pose_distance.h"
+#include "graph/window_sums.h"
 #include "motion/kinematics.h"
 
 namespace stridegraph {
@@ -14,16 +15,33 @@ namespace {
 constexpr std::array<std::array<double, kWindowFrames>, 4> kPolynomials = {
     {{-2, -1, 0, 1, 2}, {2, -1, -2, -1, 2}, {-1, 2, 0, -2, 1}, {1, -4, 6, -4, 1}}};
 constexpr std::array<double, 4> kSquaredLengths = {10, 14, 10, 70};
-static_assert(ClipFeatures::kMotionTerms == 2 * kPolynomials.size());
+constexpr auto kFloorTerms = static_cast<std::size_t>(PointTerms::kFloor);
+constexpr auto kSpaceTerms = static_cast<std::size_t>(PointTerms::kSpace);
+static_assert(ClipFeatures::kMotionPoints == kPolynomials.size());
 
-/// Product of a column with itself, term after term as the products of pairs are summed.
-float selfProduct(const float* columns, std::size_t stride, std::size_t terms, std::size_t column) {
-  float sum = 0.0F;
-  for (std::size_t t = 0; t < terms; ++t) {
-    const float value = columns[t * stride + column];
-    sum += value * value;
+std::size_t wholePanels(std::size_t columns) {
+  return (columns + kPanelColumns - 1) / kPanelColumns;
+}
+
+/// Where one column of a panel keeps its points: term t of point p is at [(p * terms + t) * kPanelColumns].
+template <typename Panels>
+auto* columnOf(Panels& panels, std::size_t panelTerms, std::size_t column) {
+  return panels[column / kPanelColumns * panelTerms].columns.data() + column % kPanelColumns;
+}
+
+/// Products of a column with itself, term after term as multiplyRows() sums those of pairs.
+struct SelfProducts {
+  float along = 0.0F;
+  float height = 0.0F;
+};
+SelfProducts selfProducts(const float* terms, PointTerms kind, std::size_t points) {
+  SelfProducts sums;
+  for (std::size_t p = 0; p < points; ++p, terms += static_cast<std::size_t>(kind) * kPanelColumns) {
+    sums.along += terms[0] * terms[0];
+    sums.along += terms[kPanelColumns] * terms[kPanelColumns];
+    if (kind == PointTerms::kSpace) sums.height += terms[2 * kPanelColumns] * terms[2 * kPanelColumns];
   }
-  return sum;
+  return sums;
 }
 
 }  // namespace
@@ -51,18 +69,15 @@ FeatureBasis featureBasis(const Skeleton& skeleton, std::span<const Clip> clips)
 
 ClipFeatures::ClipFeatures(const Skeleton& skeleton, const FeatureBasis& basis, const Clip& clip)
     : frameCount_(clip.frameCount()),
-      stride_(clip.frameCount() + kPadding),
+      paddedCount_(wholePanels(frameCount_) * kPanelColumns),
       jointCount_(basis.joints.size()),
       centres_(frameCount_, Vec2::Zero()),
-      planar_(2 * jointCount_ * stride_, 0.0F),
-      heights_(jointCount_ * stride_, 0.0F),
-      motion_(kMotionTerms * stride_, 0.0F),
-      energies_(stride_, 0.0) {
+      frames_((wholePanels(frameCount_) + 1) * kSpaceTerms * jointCount_),
+      motion_(wholePanels(frameCount_) * kFloorTerms * kMotionPoints),
+      energies_(paddedCount_, 0.0F) {
   for (std::size_t f = 0; f < frameCount_; ++f) addFrame(basis, f, jointPositions(skeleton, clip.pose(f)));
-  for (std::size_t w = 0; w < windowCount(); ++w) {
-    addMotion(w);
-    addEnergy(w);
-  }
+  for (std::size_t w = 0; w < windowCount(); ++w) addMotion(w);
+  for (std::size_t w = 0; w < windowCount(); w += kWindowsAtOnce) addEnergies(w);
 }
 
 std::size_t ClipFeatures::windowCount() const {
@@ -78,36 +93,46 @@ void ClipFeatures::addFrame(const FeatureBasis& basis, std::size_t frame, std::s
   }
   centre /= total;
   centres_[frame] = centre;
-  for (std::size_t k = 0; k < jointCount_; ++k) {
+  float* terms = columnOf(frames_, kSpaceTerms * jointCount_, frame);
+  for (std::size_t k = 0; k < jointCount_; ++k, terms += kSpaceTerms * kPanelColumns) {
     const double root = std::sqrt(basis.weights[k]);
     const Vec3& position = positions[basis.joints[k].value];
     const Vec2 relative = (onFloor(position) - centre) * root;
-    planar_[k * stride_ + frame] = static_cast<float>(relative.x());
-    planar_[(jointCount_ + k) * stride_ + frame] = static_cast<float>(relative.y());
-    heights_[k * stride_ + frame] = static_cast<float>((position.y() - basis.heightsMetres[k]) * root);
+    terms[0] = static_cast<float>(relative.x());
+    terms[kPanelColumns] = static_cast<float>(relative.y());
+    terms[2 * kPanelColumns] = static_cast<float>((position.y() - basis.heightsMetres[k]) * root);
   }
 }
 
 void ClipFeatures::addMotion(std::size_t window) {
   const Vec2 middle = centres_[window + kWindowReach];
-  for (std::size_t p = 0; p < kPolynomials.size(); ++p) {
+  float* terms = columnOf(motion_, kFloorTerms * kMotionPoints, window);
+  for (std::size_t p = 0; p < kPolynomials.size(); ++p, terms += kFloorTerms * kPanelColumns) {
     Vec2 sum = Vec2::Zero();
     for (std::size_t d = 0; d < kWindowFrames; ++d)
       sum += kPolynomials[p][d] * (centres_[window + d] - middle);
     sum /= std::sqrt(kSquaredLengths[p] * static_cast<double>(kWindowFrames));
-    motion_[p * stride_ + window] = static_cast<float>(sum.x());
-    motion_[(kPolynomials.size() + p) * stride_ + window] = static_cast<float>(sum.y());
+    terms[0] = static_cast<float>(sum.x());
+    terms[kPanelColumns] = static_cast<float>(sum.y());
   }
 }
 
-void ClipFeatures::addEnergy(std::size_t window) {
-  double along = static_cast<double>(selfProduct(motion_.data(), stride_, kMotionTerms, window));
-  double height = 0.0;
-  for (std::size_t d = 0; d < kWindowFrames; ++d) {
-    along += static_cast<double>(selfProduct(planar_.data(), stride_, 2 * jointCount_, window + d));
-    height += static_cast<double>(selfProduct(heights_.data(), stride_, jointCount_, window + d));
+void ClipFeatures::addEnergies(std::size_t firstWindow) {
+  std::array<float, kFramesOfWindows> along{};
+  std::array<float, kFramesOfWindows> height{};
+  for (std::size_t d = 0; d < kFramesOfWindows && firstWindow + d < frameCount_; ++d) {
+    const float* frame = columnOf(frames_, kSpaceTerms * jointCount_, firstWindow + d);
+    const SelfProducts products = selfProducts(frame, PointTerms::kSpace, jointCount_);
+    along[d] = products.along;
+    height[d] = products.height;
   }
-  energies_[window] = along + height;
+  const std::array<float, kWindowsAtOnce> alongSums = windowSums(along);
+  const std::array<float, kWindowsAtOnce> heightSums = windowSums(height);
+  for (std::size_t k = 0; k < kWindowsAtOnce && firstWindow + k < windowCount(); ++k) {
+    const float* motion = columnOf(motion_, kFloorTerms * kMotionPoints, firstWindow + k);
+    const float ofMotion = selfProducts(motion, PointTerms::kFloor, kMotionPoints).along;
+    energies_[firstWindow + k] = (ofMotion + alongSums[k]) + heightSums[k];
+  }
 }
 
 }  // namespace stridegraph

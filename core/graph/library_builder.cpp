@@ -210,7 +210,6 @@ void LibraryBuilder::State::warnOfJerks() {
 }
 
 void LibraryBuilder::State::connect() {
-  report.framePairs = scan->framePairs();
   library.regions = scan->take();
   const Result<void> connected = connectLibrary(library, jerks, report);
   if (!connected) return refuse(connected.error().code, connected.error().message);
@@ -273,6 +272,7 @@ bool LibraryBuilder::step() {
       break;
     case Stage::kScan:
       if (!state.scan->step()) state.enter(Stage::kJerks);
+      state.report.framePairs = state.scan->framePairs();
       break;
     case Stage::kJerks:
       state.jerksOfOne();

@@ -23,7 +23,8 @@ struct ClipFate {
 
 /// What building found, kept and dropped, and why.
 struct BuildReport {
-  std::size_t framePairs = 0;  ///< Compared; pairs that an appended library knew already not among them.
+  std::size_t framePairs =
+      0;  ///< Compared so far; pairs that an appended library knew already not among them.
   std::size_t nodesBeforePruning = 0, clipPiecesBeforePruning = 0, transitionsBeforePruning = 0;
   std::size_t nodes = 0, clipPieces = 0, transitions = 0;
   double survivingShare = 0.0;  ///< Of all frames.

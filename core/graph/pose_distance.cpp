@@ -33,17 +33,6 @@ bool isTip(const std::string& lowerName) {
                      [&](std::string_view ending) { return lowerName.ends_with(ending); });
 }
 
-/// Joint positions of the frames around one, frame by frame.
-std::vector<Vec3> windowPositions(const Skeleton& skeleton, const Clip& clip, std::size_t frame) {
-  STRIDEGRAPH_CHECK(frame >= kWindowReach && frame + kWindowReach < clip.frameCount());
-  std::vector<Vec3> window;
-  for (std::size_t f = frame - kWindowReach; f <= frame + kWindowReach; ++f) {
-    const std::vector<Vec3> positions = jointPositions(skeleton, clip.pose(f));
-    window.insert(window.end(), positions.begin(), positions.end());
-  }
-  return window;
-}
-
 }  // namespace
 
 std::vector<double> distanceWeights(const Skeleton& skeleton) {
@@ -88,14 +77,8 @@ FloorTransform alignOnFloor(std::span<const Vec3> fixed, std::span<const Vec3> m
   return {fixedCentre - heading.rotate(movedCentre), heading};
 }
 
-double poseDistanceMetres(const Skeleton& skeleton, const Clip& a, std::size_t frameOfA, const Clip& b,
-                          std::size_t frameOfB) {
-  const std::vector<Vec3> fixed = windowPositions(skeleton, a, frameOfA);
-  const std::vector<Vec3> moved = windowPositions(skeleton, b, frameOfB);
-  const std::vector<double> jointWeights = distanceWeights(skeleton);
-  std::vector<double> weights;
-  for (std::size_t d = 0; d < kWindowFrames; ++d)
-    weights.insert(weights.end(), jointWeights.begin(), jointWeights.end());
+double windowDistanceMetres(std::span<const Vec3> fixed, std::span<const Vec3> moved,
+                            std::span<const double> weights) {
   const FloorTransform fixedFromMoved = alignOnFloor(fixed, moved, weights);
   double sum = 0.0;
   double total = 0.0;
@@ -104,6 +87,30 @@ double poseDistanceMetres(const Skeleton& skeleton, const Clip& a, std::size_t f
     total += weights[k];
   }
   return std::sqrt(sum / total);
+}
+
+std::vector<Vec3> windowPositions(const Skeleton& skeleton, const Clip& clip, std::size_t frame) {
+  STRIDEGRAPH_CHECK(frame >= kWindowReach && frame + kWindowReach < clip.frameCount());
+  std::vector<Vec3> window;
+  for (std::size_t f = frame - kWindowReach; f <= frame + kWindowReach; ++f) {
+    const std::vector<Vec3> positions = jointPositions(skeleton, clip.pose(f));
+    window.insert(window.end(), positions.begin(), positions.end());
+  }
+  return window;
+}
+
+std::vector<double> windowWeights(const Skeleton& skeleton) {
+  const std::vector<double> ofFrame = distanceWeights(skeleton);
+  std::vector<double> weights;
+  for (std::size_t d = 0; d < kWindowFrames; ++d)
+    weights.insert(weights.end(), ofFrame.begin(), ofFrame.end());
+  return weights;
+}
+
+double poseDistanceMetres(const Skeleton& skeleton, const Clip& a, std::size_t frameOfA, const Clip& b,
+                          std::size_t frameOfB) {
+  return windowDistanceMetres(windowPositions(skeleton, a, frameOfA), windowPositions(skeleton, b, frameOfB),
+                              windowWeights(skeleton));
 }
 
 }  // namespace stridegraph

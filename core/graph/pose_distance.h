@@ -25,9 +25,18 @@ std::vector<double> distanceWeights(const Skeleton& skeleton);
 FloorTransform alignOnFloor(std::span<const Vec3> fixed, std::span<const Vec3> moved,
                             std::span<const double> weights);
 
-/// Distance of two frames (eq. 5.2), in metres: the root of the weighted mean square distance of the joints
-/// over windows of kWindowFrames, after the best floor alignment. Plain and slow: the yardstick of
-/// similarity.h. Both windows must lie within their clips.
+/// Distance of two windows, in metres: the root of the weighted mean square distance of their points after
+/// the best floor alignment. Equal sizes; some weight > 0.
+double windowDistanceMetres(std::span<const Vec3> fixed, std::span<const Vec3> moved,
+                            std::span<const double> weights);
+
+/// Joint positions of the frames around one, frame by frame, and distanceWeights() as often. The window must
+/// lie within the clip.
+std::vector<Vec3> windowPositions(const Skeleton& skeleton, const Clip& clip, std::size_t frame);
+std::vector<double> windowWeights(const Skeleton& skeleton);
+
+/// Distance of two frames (eq. 5.2): that of the windows of kWindowFrames around them. Plain and slow: the
+/// yardstick of similarity.h. Both windows must lie within their clips.
 double poseDistanceMetres(const Skeleton& skeleton, const Clip& a, std::size_t frameOfA, const Clip& b,
                           std::size_t frameOfB);
 

@@ -9,118 +9,98 @@
 #include "base/wide.h"
 #include "graph/pose_distance.h"
 #include "graph/row_products.h"
+#include "graph/window_sums.h"
 
 namespace stridegraph {
 namespace {
 
-static_assert(DistanceRows::kRowsAtOnce == kProductRows);
-static_assert(ClipFeatures::kPadding >= kProductColumns + kWindowFrames);
+static_assert(DistanceRows::kRowsAtOnce == kWindowsAtOnce);
 
-/// Four neighbouring columns of `terms` terms, term by term; columns from `limit` on count as zeros.
-struct Block {
-  const float* first;
-  std::size_t stride;
-  std::size_t terms;
-  std::size_t column;
-  std::size_t limit;
+/// One product of the frames that four rows of windows span, each shifted by a column more than that before:
+/// down a diagonal.
+using Diagonal = std::array<const float*, kFramesOfWindows>;
 
-  float at(std::size_t term, std::size_t r) const {
-    return column + r < limit ? first[term * stride + column + r] : 0.0F;
-  }
-};
-
-std::vector<float> packed(const Block& block) {
-  std::vector<float> result(block.terms * kProductRows);
-  for (std::size_t t = 0; t < block.terms; ++t) {
-    for (std::size_t r = 0; r < kProductRows; ++r) result[t * kProductRows + r] = block.at(t, r);
-  }
-  return result;
-}
-
-/// The same floor points turned by a right angle, so that their product is the cross product: terms hold all
-/// x, then all z, and x x' + z z' becomes x z' - z x'.
-std::vector<float> packedAcross(const Block& block) {
-  const std::size_t half = block.terms / 2;
-  std::vector<float> result(block.terms * kProductRows);
-  for (std::size_t t = 0; t < half; ++t) {
-    for (std::size_t r = 0; r < kProductRows; ++r) {
-      result[t * kProductRows + r] = -block.at(half + t, r);
-      result[(half + t) * kProductRows + r] = block.at(t, r);
-    }
-  }
-  return result;
-}
-
-std::array<float*, kProductRows> rowsFrom(std::vector<float>& storage, std::size_t first,
-                                          std::size_t stride) {
-  std::array<float*, kProductRows> rows;
-  for (std::size_t r = 0; r < kProductRows; ++r) rows[r] = storage.data() + (first + r) * stride;
-  return rows;
-}
-
-/// One product of the frames of a window, down a diagonal of the ring.
-using Diagonal = std::array<const float*, kWindowFrames>;
-
-/// All that the distances of one row are made of; columns begin..end.
-struct RowParts {
+/// All that the distances of four rows are made of. Every row is shifted by a column more than that before,
+/// so that the windows of column c lie on one diagonal.
+struct QuadParts {
   Diagonal along;
   Diagonal across;
   Diagonal height;
-  const float* motionAlong = nullptr;
-  const float* motionAcross = nullptr;
-  const double* energies = nullptr;
-  double energy = 0.0;
-  std::size_t begin = 0;
-  std::size_t end = 0;
+  std::array<const float*, kWindowsAtOnce> motionAlong;
+  std::array<const float*, kWindowsAtOnce> motionAcross;
+  std::array<const float*, kWindowsAtOnce> columnEnergies;
+  std::array<float, kWindowsAtOnce> rowEnergies;
+  std::array<std::uint32_t*, kWindowsAtOnce> distances;
+  std::size_t columns = 0;
 };
 
-STRIDEGRAPH_INLINE double sumAlong(const Diagonal& diagonal, double start, std::size_t column) {
-  for (std::size_t d = 0; d < kWindowFrames; ++d) start += static_cast<double>(diagonal[d][column]);
-  return start;
+STRIDEGRAPH_INLINE std::array<float, kWindowsAtOnce> sumsAlong(const Diagonal& d, std::size_t c) {
+  return windowSums({d[0][c], d[1][c], d[2][c], d[3][c], d[4][c], d[5][c], d[6][c], d[7][c]});
 }
 
-STRIDEGRAPH_INLINE void combineColumns(const RowParts& parts, std::uint32_t* __restrict distances) {
-  constexpr double kLimit = kFarMicrometres;
-  // Copies, so that the compiler need not fear for the pointers when it writes.
-  const Diagonal along = parts.along;
-  const Diagonal across = parts.across;
-  const Diagonal height = parts.height;
-  const float* motionAlong = parts.motionAlong;
-  const float* motionAcross = parts.motionAcross;
-  const double* energies = parts.energies;
-  const double energy = parts.energy;
-  const std::size_t end = parts.end;
-  for (std::size_t c = parts.begin; c < end; ++c) {
-    const double a = sumAlong(along, static_cast<double>(motionAlong[c]), c);
-    const double b = sumAlong(across, static_cast<double>(motionAcross[c]), c);
-    const double h = sumAlong(height, 0.0, c);
-    const double squared = energy + energies[c] - 2.0 * (std::sqrt(a * a + b * b) + h);
-    const double micrometres = std::sqrt(squared > 0.0 ? squared : 0.0) * kMicrometresPerMetre + 0.5;
-    distances[c] =
-        static_cast<std::uint32_t>(static_cast<std::int32_t>(micrometres < kLimit ? micrometres : kLimit));
+STRIDEGRAPH_INLINE std::uint32_t micrometresOf(float along, float across, float height, float energy) {
+  constexpr auto kScale = static_cast<float>(kMicrometresPerMetre);
+  constexpr auto kLimit = static_cast<float>(kFarMicrometres);
+  const float squared = energy - 2.0F * (std::sqrt(along * along + across * across) + height);
+  const float micrometres = std::sqrt(squared > 0.0F ? squared : 0.0F) * kScale + 0.5F;
+  return static_cast<std::uint32_t>(static_cast<std::int32_t>(micrometres < kLimit ? micrometres : kLimit));
+}
+
+STRIDEGRAPH_INLINE void combineColumns(const QuadParts& given) {
+  // A copy and pointers of their own, so that the compiler need not fear for what it reads when it writes.
+  const QuadParts parts = given;
+  std::uint32_t* __restrict first = parts.distances[0];
+  std::uint32_t* __restrict second = parts.distances[1];
+  std::uint32_t* __restrict third = parts.distances[2];
+  std::uint32_t* __restrict fourth = parts.distances[3];
+  for (std::size_t c = 0; c < parts.columns; ++c) {
+    const std::array<float, kWindowsAtOnce> along = sumsAlong(parts.along, c);
+    const std::array<float, kWindowsAtOnce> across = sumsAlong(parts.across, c);
+    const std::array<float, kWindowsAtOnce> height = sumsAlong(parts.height, c);
+    const auto distance = [&](std::size_t k) {
+      return micrometresOf(parts.motionAlong[k][c] + along[k], parts.motionAcross[k][c] + across[k],
+                           height[k], parts.rowEnergies[k] + parts.columnEnergies[k][c]);
+    };
+    first[c] = distance(0);
+    second[c] = distance(1);
+    third[c] = distance(2);
+    fourth[c] = distance(3);
   }
 }
 
-STRIDEGRAPH_WIDE void combineWide(const RowParts& parts, std::uint32_t* distances) {
-  combineColumns(parts, distances);
+STRIDEGRAPH_WIDE void combineWide(const QuadParts& parts) {
+  combineColumns(parts);
 }
 
 }  // namespace
 
-DistanceRows::DistanceRows(const ClipFeatures& rows, const ClipFeatures& columns)
-    : rows_(&rows),
-      columns_(&columns),
-      reach_(std::numeric_limits<std::size_t>::max()),
-      along_(kRing * columns.stride(), 0.0F),
-      across_(kRing * columns.stride(), 0.0F),
-      height_(kRing * columns.stride(), 0.0F),
-      motionAlong_(kRowsAtOnce * columns.stride(), 0.0F),
-      motionAcross_(kRowsAtOnce * columns.stride(), 0.0F),
-      distances_(kRowsAtOnce * columns.stride(), 0) {
-  STRIDEGRAPH_CHECK(rows.jointCount() == columns.jointCount());
+DistanceRows::DistanceRows(const ClipFeatures& rows, const ClipFeatures& columns) {
+  restart(rows, columns);
 }
 
-DistanceRows::DistanceRows(const ClipFeatures& clip, std::size_t reach) : DistanceRows(clip, clip) {
+DistanceRows::DistanceRows(const ClipFeatures& clip, std::size_t reach) {
+  restart(clip, reach);
+}
+
+void DistanceRows::restart(const ClipFeatures& rows, const ClipFeatures& columns) {
+  STRIDEGRAPH_CHECK(rows.jointCount() == columns.jointCount());
+  rows_ = &rows;
+  columns_ = &columns;
+  reach_ = std::numeric_limits<std::size_t>::max();
+  stride_ = kLead + columns.paddedCount() + kTail;
+  nextRow_ = 0;
+  firstColumn_ = 0;
+  // Products of other clips may stay: they only reach columns behind the last window.
+  for (std::vector<float>* ring : {&along_, &across_, &height_}) ring->resize(kRing * stride_);
+  for (std::vector<float>* products : {&motionAlong_, &motionAcross_})
+    products->resize(kRowsAtOnce * stride_);
+  distances_.resize(kRowsAtOnce * stride_);
+  energies_.resize(stride_);
+  std::copy_n(columns.energies(), columns.paddedCount(), energies_.begin() + kLead);
+}
+
+void DistanceRows::restart(const ClipFeatures& clip, std::size_t reach) {
+  restart(clip, clip);
   reach_ = reach;
 }
 
@@ -129,59 +109,61 @@ std::size_t DistanceRows::firstColumnFor(std::size_t row) const {
 }
 
 std::span<const std::uint32_t> DistanceRows::row(std::size_t k) const {
-  return std::span(distances_).subspan(k * columns_->stride(), columns_->windowCount());
+  return std::span(distances_).subspan(k * stride_ + kLead, columns_->windowCount());
 }
 
 void DistanceRows::multiplyFrames(std::size_t firstFrame) {
-  const std::size_t stride = columns_->stride();
+  if (firstFrame >= rows_->frameCount()) return;
   const std::size_t begin = firstColumnFor(firstFrame > kRowsAtOnce ? firstFrame - kRowsAtOnce : 0);
-  ProductColumns columns{columns_->planar(), stride, 2 * columns_->jointCount(), begin,
-                         columns_->frameCount()};
-  Block block{rows_->planar(), rows_->stride(), 2 * rows_->jointCount(), firstFrame, rows_->frameCount()};
-  const std::size_t slot = firstFrame % kRing;
-  multiplyRows(packed(block).data(), columns, rowsFrom(along_, slot, stride));
-  multiplyRows(packedAcross(block).data(), columns, rowsFrom(across_, slot, stride));
-  columns.first = columns_->heights();
-  block.first = rows_->heights();
-  columns.terms = block.terms = rows_->jointCount();
-  multiplyRows(packed(block).data(), columns, rowsFrom(height_, slot, stride));
+  const std::size_t slot = firstFrame % kRing * stride_ + kLead;
+  multiplyRows(rows_->frames(), firstFrame, PointTerms::kSpace,
+               {columns_->frames(), columns_->jointCount(), begin, columns_->frameCount()},
+               {along_.data() + slot, across_.data() + slot, height_.data() + slot, stride_});
+}
+
+void DistanceRows::multiplyMotion() {
+  multiplyRows(rows_->motion(), nextRow_, PointTerms::kFloor,
+               {columns_->motion(), ClipFeatures::kMotionPoints, firstColumn_, columns_->windowCount()},
+               {motionAlong_.data() + kLead, motionAcross_.data() + kLead, nullptr, stride_});
 }
 
 std::size_t DistanceRows::advance() {
+  if (rows_ == nullptr) return 0;
   const std::size_t rowCount = rows_->windowCount();
   if (nextRow_ >= rowCount || columns_->windowCount() == 0) return 0;
   if (nextRow_ == 0) multiplyFrames(0);
   multiplyFrames(nextRow_ + kRowsAtOnce);
   firstColumn_ = firstColumnFor(nextRow_);
-  const ProductColumns columns{columns_->motion(), columns_->stride(), ClipFeatures::kMotionTerms,
-                               firstColumn_, columns_->windowCount()};
-  const Block block{rows_->motion(), rows_->stride(), ClipFeatures::kMotionTerms, nextRow_, rowCount};
-  multiplyRows(packed(block).data(), columns, rowsFrom(motionAlong_, 0, columns_->stride()));
-  multiplyRows(packedAcross(block).data(), columns, rowsFrom(motionAcross_, 0, columns_->stride()));
+  multiplyMotion();
+  combine();
   const std::size_t count = std::min(kRowsAtOnce, rowCount - nextRow_);
-  for (std::size_t k = 0; k < count; ++k) combine(nextRow_ + k, k);
   nextRow_ += count;
   return count;
 }
 
-void DistanceRows::combine(std::size_t row, std::size_t k) {
-  const std::size_t stride = columns_->stride();
-  RowParts parts;
-  for (std::size_t d = 0; d < kWindowFrames; ++d) {
-    const std::size_t shift = (row + d) % kRing * stride + d;
+void DistanceRows::combine() {
+  // The last row is shifted the most to the right.
+  const std::size_t begin = kLead + firstColumn_ - (kWindowsAtOnce - 1);
+  const std::size_t needed = kLead + columns_->windowCount() - begin;
+  QuadParts parts;
+  for (std::size_t d = 0; d < kFramesOfWindows; ++d) {
+    const std::size_t shift = (nextRow_ + d) % kRing * stride_ + begin + d;
     parts.along[d] = along_.data() + shift;
     parts.across[d] = across_.data() + shift;
     parts.height[d] = height_.data() + shift;
   }
-  parts.motionAlong = motionAlong_.data() + k * stride;
-  parts.motionAcross = motionAcross_.data() + k * stride;
-  parts.energies = columns_->energies();
-  parts.energy = rows_->energies()[row];
-  parts.begin = firstColumn_;
-  parts.end = columns_->windowCount();
-  std::uint32_t* distances = distances_.data() + k * stride;
-  if (hasWideRegisters()) return combineWide(parts, distances);
-  combineColumns(parts, distances);
+  for (std::size_t k = 0; k < kWindowsAtOnce; ++k) {
+    const std::size_t shift = k * stride_ + begin + k;
+    parts.motionAlong[k] = motionAlong_.data() + shift;
+    parts.motionAcross[k] = motionAcross_.data() + shift;
+    parts.columnEnergies[k] = energies_.data() + begin + k;
+    parts.rowEnergies[k] = rows_->energies()[nextRow_ + k];
+    parts.distances[k] = distances_.data() + shift;
+  }
+  // Whole panels, so that no column is done one by one.
+  parts.columns = (needed + kPanelColumns - 1) / kPanelColumns * kPanelColumns;
+  if (hasWideRegisters()) return combineWide(parts);
+  combineColumns(parts);
 }
 
 }  // namespace stridegraph

@@ -19,8 +19,8 @@ double cellsOf(const ClipFeatures& a, const ClipFeatures& b) {
 TransitionScan::TransitionScan(std::vector<ClipFeatures> clips, const ValleyParams& params,
                                KnownRegions known)
     : clips_(std::move(clips)),
-      params_(params),
       knownClips_(std::move(known.clips)),
+      valleys_(params),
       found_(std::move(known.regions)) {
   std::size_t start = 0;
   for (std::size_t a = 0; a < clips_.size(); ++a) {
@@ -41,25 +41,25 @@ double TransitionScan::progress() const {
 void TransitionScan::beginPair() {
   const std::size_t columns = clips_[second_].windowCount();
   if (first_ == second_) {
-    valleys_.emplace(ValleyFinder::ofOneClip(params_, columns));
-    rows_.emplace(clips_[first_], valleys_->reach());
+    valleys_.restartOfOneClip(columns);
+    rows_.restart(clips_[first_], valleys_.reach());
   } else {
-    valleys_.emplace(params_, columns);
-    rows_.emplace(clips_[first_], clips_[second_]);
+    valleys_.restart(columns);
+    rows_.restart(clips_[first_], clips_[second_]);
   }
+  pairIsBegun_ = true;
 }
 
 void TransitionScan::endPair() {
   const auto frame = [&](std::size_t clip, std::size_t window) {
     return FrameIndex(starts_[clip] + window + kWindowReach);
   };
-  for (const Region& region : valleys_->finish()) {
+  for (const Region& region : valleys_.finish()) {
     found_.push_back(
         {frame(first_, region.row), frame(second_, region.column), static_cast<std::uint16_t>(region.rowSpan),
          static_cast<std::uint16_t>(region.columnSpan), static_cast<float>(region.meanDistanceMetres)});
   }
-  rows_.reset();
-  valleys_.reset();
+  pairIsBegun_ = false;
   nextPair();
 }
 
@@ -72,11 +72,11 @@ void TransitionScan::nextPair() {
 bool TransitionScan::step() {
   std::size_t work = 0;
   while (first_ < clips_.size() && work < kPairsInAStep) {
-    if (!rows_) beginPair();
-    const std::size_t count = rows_->advance();
-    for (std::size_t k = 0; k < count; ++k) valleys_->addRow(rows_->row(k), rows_->firstColumn());
+    if (!pairIsBegun_) beginPair();
+    const std::size_t count = rows_.advance();
+    for (std::size_t k = 0; k < count; ++k) valleys_.addRow(rows_.row(k), rows_.firstColumn());
     const std::size_t columns = clips_[second_].windowCount();
-    const std::size_t pairs = count * (columns - std::min(columns, rows_->firstColumn()));
+    const std::size_t pairs = count * (columns - std::min(columns, rows_.firstColumn()));
     doneCells_ += static_cast<double>(count * columns);
     framePairs_ += pairs;
     // Even a pair of clips without any windows costs a little, so that a step stays short.

@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "graph/library.h"
@@ -42,13 +41,13 @@ class TransitionScan {
   void nextPair();
 
   std::vector<ClipFeatures> clips_;
-  ValleyParams params_;
   std::vector<bool> knownClips_;
   std::vector<std::size_t> starts_;  ///< First frame of each clip.
   std::size_t first_ = 0;            ///< The pair at hand: rows from the one clip,
   std::size_t second_ = 0;           ///< columns from the other, second_ >= first_.
-  std::optional<DistanceRows> rows_;
-  std::optional<ValleyFinder> valleys_;
+  bool pairIsBegun_ = false;
+  DistanceRows rows_;
+  ValleyFinder valleys_;
   std::size_t framePairs_ = 0;
   double doneCells_ = 0.0;
   double allCells_ = 0.0;

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "graph/recent_rows.h"
 #include "graph/threshold_bits.h"
 #include "graph/warped_lines.h"
 
@@ -45,10 +46,14 @@ class ValleyFinder {
   static constexpr std::uint64_t kLeanPenaltyNumerator = 6;
   static constexpr std::uint64_t kLeanPenaltyDenominator = 5;
 
-  ValleyFinder(const ValleyParams& params, std::size_t columns);
-  /// For a clip with itself: only regions whose columns are at least l after their rows at both ends (nearer
-  /// ones lead from a frame to itself). Rows need only be valid from reach() columns before the diagonal on.
-  static ValleyFinder ofOneClip(const ValleyParams& params, std::size_t columns);
+  explicit ValleyFinder(const ValleyParams& params);
+
+  /// Begins with the matrix of two clips, in the memory of the one before.
+  void restart(std::size_t columns);
+  /// The same for a clip with itself: only regions whose columns are at least l after their rows at both ends
+  /// (nearer ones lead from a frame to itself). Rows need only be valid from reach() columns before the
+  /// diagonal on.
+  void restartOfOneClip(std::size_t columns);
 
   std::size_t reach() const;
   /// The next row of the matrix, valid from `firstColumn` on.
@@ -57,12 +62,6 @@ class ValleyFinder {
   std::vector<Region> finish();
 
  private:
-  /// Mean distances times l of the diagonals that end in a row, and how long each has been under tau. Entry c
-  /// + 1 is column c; entry 0 stays zero.
-  struct Ends {
-    std::vector<std::uint32_t> sums;
-    std::vector<std::uint32_t> lengths;
-  };
   /// A leaning line under tau, with the middle between its ends in half rows and columns.
   struct Leaning {
     const WarpedLine* line = nullptr;
@@ -76,20 +75,23 @@ class ValleyFinder {
     bool precedes(const Leaning& other) const;
   };
 
-  void findLeaning();
+  void addSums(std::span<const std::uint32_t> micrometres, std::size_t firstColumn);
+  void findLines();
+  void addLeaning(const WarpedLine& line, std::size_t word, std::uint64_t lastColumns);
   void judgeRow(std::size_t row);
+  void judgeDiagonals(std::size_t row);
   void judgeLeaning(std::size_t middleRow2);
   bool isDiagonal(std::size_t row, std::size_t column) const;
-  bool isLeast(std::size_t row, std::size_t column) const;
+  bool isLeast(std::size_t row, std::size_t column, std::size_t reach) const;
   bool isBeatenByLeaning(std::size_t row, std::size_t column) const;
-  bool isBeatenByDiagonal(const Leaning& leaning) const;
+  bool isBeatenByDiagonal(const Leaning& leaning, std::size_t reach) const;
   bool isLeastLeaning(const Leaning& leaning) const;
   bool isMuchBetter(const Leaning& leaning, std::uint32_t diagonalSum) const;
-  Ends& ends(std::size_t row) { return ends_[row % ends_.size()]; }
-  const Ends& ends(std::size_t row) const { return ends_[row % ends_.size()]; }
-  const std::vector<std::uint32_t>& distances(std::size_t row) const {
-    return distances_[row % distances_.size()];
-  }
+  /// Of the diagonals that end in a row: their distances, summed; entry c + 1 is column c, entry 0 stays
+  /// zero.
+  const std::uint32_t* sums(std::size_t row) const { return sums_.back(rows_ - 1 - row); }
+  /// And whether they are under tau, a bit each.
+  const std::uint64_t* diagonals(std::size_t row) const { return diagonals_.back(rows_ - 1 - row); }
   std::vector<Leaning>& leaningAt(std::size_t middleRow2) { return leaning_[middleRow2 % leaning_.size()]; }
   const std::vector<Leaning>& leaningAt(std::size_t middleRow2) const {
     return leaning_[middleRow2 % leaning_.size()];
@@ -97,19 +99,21 @@ class ValleyFinder {
 
   ValleyParams params_;
   std::uint32_t limitMicrometres_;
-  std::size_t columns_;
-  bool oneClip_ = false;
+  BitLine diagonalBits_;
   std::vector<WarpedLine> lines_;
+  std::vector<BitLine> lineBits_;  ///< For each of lines_.
   std::size_t largestLean_;
+  std::size_t columns_ = 0;
+  bool oneClip_ = false;
   std::size_t rows_ = 0;
   std::size_t judged_ = 0;
-  std::vector<std::vector<std::uint32_t>>
-      distances_;           ///< The last rows that lines cross, each behind l zeros.
-  std::vector<Ends> ends_;  ///< The last rows that are judged or compared.
+  RecentRows<std::uint32_t> distances_;  ///< The last rows that lines cross, each behind l zeros.
+  RecentRows<std::uint32_t> sums_;       ///< The last rows that are judged or compared.
+  RecentRows<std::uint64_t> diagonals_;  ///< The same rows.
   ThresholdBits under_;
   /// By middleRow2 in turns; places that nothing has taken over yet hold lines of other middles.
   std::vector<std::vector<Leaning>> leaning_;
-  std::vector<std::size_t> found_;  ///< Scratch: last columns of lines.
+  std::vector<const std::uint32_t*> cells_;  ///< Scratch: where the rows of a line's cells begin.
   std::vector<Region> regions_;
 };
 

@@ -32,6 +32,10 @@ std::size_t WarpedLine::lean() const {
   return (std::max(rowSpan, columnSpan) - std::min(rowSpan, columnSpan)) / 2;
 }
 
+WarpedLine diagonalLine(std::size_t steps) {
+  return lineOf(steps, steps);
+}
+
 std::vector<WarpedLine> warpedLines(std::size_t steps, double largestRatio) {
   std::vector<WarpedLine> lines;
   for (std::size_t lean = 1; lean < steps; ++lean) {

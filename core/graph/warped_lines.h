@@ -24,6 +24,9 @@ struct WarpedLine {
   std::size_t lean() const;
 };
 
+/// The diagonal: `steps` rows down and as many columns on.
+WarpedLine diagonalLine(std::size_t steps);
+
 /// The lines whose spans differ, but have `steps` as their mean and are at most `largestRatio` (>= 1) apart,
 /// by lean, the one with the longer columnSpan first. None for a ratio of 1.
 std::vector<WarpedLine> warpedLines(std::size_t steps, double largestRatio);

@@ -96,6 +96,20 @@ describe('buildLibrary', () => {
     }
   })
 
+  it('counts the pairs of frames that it has compared so far', () => {
+    const build = engine.startBuild([walkerClip(), { name: 'more', text: walkerBvh({ frames: 60 }) }])
+    assert.equal(build.framePairs, 0)
+    let pairs = 0
+    while (build.step()) {
+      assert.ok(build.framePairs >= pairs)
+      pairs = build.framePairs
+    }
+    const library = build.finish()
+    assert.ok(pairs > 0)
+    assert.equal(pairs, library.buildReport.framePairs)
+    library.delete()
+  })
+
   it('appends to the same bytes as building at once', () => {
     const more = { name: 'more', text: walkerBvh({ frames: 60 }) }
     const atOnce = engine.buildLibrary([walkerClip(), more], { license: 'made for a test' })

@@ -39,8 +39,8 @@ Matrix matrixOf(const MotionLibrary& library, const Clip& a, const Clip& b) {
   ValleyFinder valleys({.thresholdMetres = library.params.thresholdMetres,
                         .transitionFrames = library.params.transitionFrames,
                         .neighbourFrames = library.params.neighbourFrames,
-                        .largestSpanRatio = library.params.largestSpanRatio},
-                       featuresOfB.windowCount());
+                        .largestSpanRatio = library.params.largestSpanRatio});
+  valleys.restart(featuresOfB.windowCount());
   Matrix matrix{featuresOfA.windowCount(), featuresOfB.windowCount(), {}, {}};
   for (std::size_t count = rows.advance(); count > 0; count = rows.advance()) {
     for (std::size_t k = 0; k < count; ++k) {

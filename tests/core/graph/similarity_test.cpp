@@ -91,6 +91,27 @@ TEST(DistanceRows, cutOffWhatIsFarApart) {
   EXPECT_EQ(matrixOf(DistanceRows(a, b))[0][0], kFarMicrometres);
 }
 
+TEST(DistanceRows, areTheSameInTheMemoryOfOtherClips) {
+  const std::vector<Clip> clips = {wanderingClip(walker(), 60, 10), wanderingClip(walker(), 33, 11),
+                                   wanderingClip(walker(), 45, 12)};
+  std::vector<ClipFeatures> features;
+  for (std::size_t k = 0; k < clips.size(); ++k) features.push_back(featuresOf(clips, k));
+  DistanceRows rows;
+  EXPECT_EQ(rows.advance(), 0U);
+  rows.restart(features[0], 3);
+  EXPECT_EQ(matrixOf(rows), matrixOf(DistanceRows(features[0], 3)));
+  for (const ClipFeatures& a : features) {
+    for (const ClipFeatures& b : features) {
+      rows.restart(a, b);
+      std::vector<std::vector<std::uint32_t>> matrix;
+      while (const std::size_t count = rows.advance()) {
+        for (std::size_t k = 0; k < count; ++k) matrix.emplace_back(rows.row(k).begin(), rows.row(k).end());
+      }
+      EXPECT_EQ(matrix, matrixOf(DistanceRows(a, b)));
+    }
+  }
+}
+
 TEST(DistanceRows, areNoneForClipsShorterThanAWindow) {
   const std::vector<Clip> clips = {wanderingClip(walker(), 4, 8), wanderingClip(walker(), 30, 9)};
   const ClipFeatures brief = featuresOf(clips, 0);

@@ -9,6 +9,16 @@
 namespace stridegraph {
 namespace {
 
+/// The columns at which a line that ends in the last row is under the limit.
+std::vector<std::size_t> lineEnds(const ThresholdBits& bits, const WarpedLine& line, std::size_t columns) {
+  std::vector<std::size_t> ends;
+  for (std::size_t c = 0; c < columns; ++c) {
+    const std::uint64_t word = bits.lineEnds(BitLine(line), c / ThresholdBits::kWordBits);
+    if ((word >> c % ThresholdBits::kWordBits & 1U) != 0) ends.push_back(c);
+  }
+  return ends;
+}
+
 TEST(ThresholdBits, findEveryLineUnderTheLimitAndNoOther) {
   constexpr std::uint32_t kLimit = 100;
   constexpr std::size_t kColumns = 200;
@@ -16,7 +26,8 @@ TEST(ThresholdBits, findEveryLineUnderTheLimitAndNoOther) {
   // Long enough that lines reach back over more than one word of bits.
   for (const std::size_t steps : {std::size_t{5}, std::size_t{12}, std::size_t{70}}) {
     const std::vector<WarpedLine> lines = warpedLines(steps, 2.0);
-    ThresholdBits bits(2 * steps, kColumns, 2 * steps);
+    ThresholdBits bits;
+    bits.restart(2 * steps, kColumns, 2 * steps);
     std::vector<std::vector<std::uint32_t>> matrix;
     std::size_t count = 0;
     for (std::size_t r = 0; r < 3 * steps; ++r) {
@@ -31,8 +42,7 @@ TEST(ThresholdBits, findEveryLineUnderTheLimitAndNoOther) {
               }))
             expected.push_back(c);
         }
-        std::vector<std::size_t> found;
-        bits.findLines(line, found);
+        const std::vector<std::size_t> found = lineEnds(bits, line, kColumns);
         ASSERT_EQ(found, expected);
         count += found.size();
       }
@@ -43,10 +53,10 @@ TEST(ThresholdBits, findEveryLineUnderTheLimitAndNoOther) {
 
 TEST(ThresholdBits, takeCellsLeftOfTheFirstColumnForOverTheLimit) {
   const WarpedLine line = warpedLines(3, 2.0).front();
-  ThresholdBits bits(5, 20, 5);
+  ThresholdBits bits;
+  bits.restart(5, 20, 5);
   for (std::size_t r = 0; r < 4; ++r) bits.addRow(std::vector<std::uint32_t>(20, 0), 10, 5);
-  std::vector<std::size_t> found;
-  bits.findLines(line, found);
+  const std::vector<std::size_t> found = lineEnds(bits, line, 20);
   ASSERT_FALSE(found.empty());
   EXPECT_EQ(found.front(), 10 + line.columnSpan);
 }

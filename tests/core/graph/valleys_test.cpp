@@ -17,13 +17,21 @@ Matrix filled(std::size_t rows, std::size_t columns, std::uint32_t micrometres) 
   return Matrix(rows, std::vector<std::uint32_t>(columns, micrometres));
 }
 
-std::vector<Region> regionsOf(ValleyFinder finder, const Matrix& matrix) {
+std::vector<Region> regionsIn(ValleyFinder& finder, const Matrix& matrix) {
   for (const std::vector<std::uint32_t>& row : matrix) finder.addRow(row, 0);
   return finder.finish();
 }
 
 std::vector<Region> regionsOf(const ValleyParams& params, const Matrix& matrix) {
-  return regionsOf(ValleyFinder(params, matrix.front().size()), matrix);
+  ValleyFinder finder(params);
+  finder.restart(matrix.front().size());
+  return regionsIn(finder, matrix);
+}
+
+std::vector<Region> regionsOfOneClip(const ValleyParams& params, const Matrix& matrix) {
+  ValleyFinder finder(params);
+  finder.restartOfOneClip(matrix.front().size());
+  return regionsIn(finder, matrix);
 }
 
 /// Straight from the definition, for comparison.
@@ -212,12 +220,40 @@ TEST(ValleyFinder, leansOnlyWhereNoDiagonalIsNearlyAsGood) {
   EXPECT_EQ(regions[0].rowSpan, 10U);
 }
 
+TEST(ValleyFinder, forgetsTheMatrixBefore) {
+  Random random(13);
+  const ValleyParams params{.transitionFrames = 5, .neighbourFrames = 3};
+  ValleyFinder finder(params);
+  for (int i = 0; i < 6; ++i) {
+    Matrix matrix = filled(30 + random.below(10), 30 + random.below(90), 0);
+    for (auto& row : matrix) {
+      for (std::uint32_t& cell : row) cell = static_cast<std::uint32_t>(random.below(8) * 8'000);
+    }
+    const bool oneClip = i % 2 == 0;
+    if (oneClip)
+      finder.restartOfOneClip(matrix[0].size());
+    else
+      finder.restart(matrix[0].size());
+    const std::vector<Region> found = regionsIn(finder, matrix);
+    const std::vector<Region> expected =
+        oneClip ? regionsOfOneClip(params, matrix) : regionsOf(params, matrix);
+    ASSERT_FALSE(expected.empty());
+    ASSERT_EQ(found.size(), expected.size());
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      EXPECT_EQ(found[k].row, expected[k].row);
+      EXPECT_EQ(found[k].column, expected[k].column);
+      EXPECT_EQ(found[k].rowSpan, expected[k].rowSpan);
+      EXPECT_EQ(found[k].meanDistanceMetres, expected[k].meanDistanceMetres);
+    }
+  }
+}
+
 TEST(ValleyFinder, ofOneClipLeavesOutWhatLiesNearTheDiagonal) {
   Matrix matrix = filled(40, 40, 90'000);
   for (std::size_t k = 0; k + 20 < 40; ++k) matrix[k][k + 20] = 20'000 + 100 * static_cast<std::uint32_t>(k);
   for (std::size_t k = 0; k + 4 < 40; ++k) matrix[k][k + 4] = 10'000;
   const ValleyParams params{.transitionFrames = 5, .neighbourFrames = 3};
-  const std::vector<Region> regions = regionsOf(ValleyFinder::ofOneClip(params, 40), matrix);
+  const std::vector<Region> regions = regionsOfOneClip(params, matrix);
   ASSERT_EQ(regions.size(), 1U);
   EXPECT_EQ(regions[0].row, 0U);
   EXPECT_EQ(regions[0].column, 20U);
@@ -230,8 +266,9 @@ TEST(ValleyFinder, ofOneClipNeedsNothingBeyondItsReach) {
   for (auto& row : matrix) {
     for (std::uint32_t& cell : row) cell = static_cast<std::uint32_t>(random.below(60'000));
   }
-  const std::vector<Region> whole = regionsOf(ValleyFinder::ofOneClip(params, 60), matrix);
-  ValleyFinder finder = ValleyFinder::ofOneClip(params, 60);
+  const std::vector<Region> whole = regionsOfOneClip(params, matrix);
+  ValleyFinder finder(params);
+  finder.restartOfOneClip(60);
   const std::size_t reach = finder.reach();
   for (std::size_t r = 0; r < matrix.size(); ++r) {
     const std::size_t first = r > reach ? r - reach : 0;

@@ -43,5 +43,20 @@ TEST(WarpedLines, goThroughACellForEachStepOfTheLongerSpanWithoutGoingBack) {
   }
 }
 
+TEST(DiagonalLine, goesOneColumnOnForEachRow) {
+  const WarpedLine line = diagonalLine(12);
+  EXPECT_EQ(line.rowSpan, 12U);
+  EXPECT_EQ(line.columnSpan, 12U);
+  EXPECT_EQ(line.lean(), 0U);
+  ASSERT_EQ(line.cells.size(), 13U);
+  std::set<std::size_t> rows;
+  for (const CellBack& cell : line.cells) {
+    EXPECT_EQ(cell.rows, cell.columns);
+    rows.insert(cell.rows);
+  }
+  EXPECT_EQ(rows.size(), 13U);
+  EXPECT_EQ(*rows.rbegin(), 12U);
+}
+
 }  // namespace
 }  // namespace stridegraph
