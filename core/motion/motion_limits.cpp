@@ -115,8 +115,8 @@ WorstRatios worstRatios(const MotionLimits& limits, const Clip& clip) {
       if (perSecond * (half.length + half.slack) >= worst.speed.ratio * limits.speeds[j])
         keepWorst(turnVelocity(clip, f, j).norm() / limits.speeds[j], f + 1, j, worst.speed);
       const double change = (half.sine - before[j].sine).norm() + half.slack + before[j].slack;
-      if (f > 0 && perSecond * clip.framesPerSecond * change >=
-                       worst.acceleration.ratio * limits.accelerations[j]) {
+      if (f > 0 &&
+          perSecond * clip.framesPerSecond * change >= worst.acceleration.ratio * limits.accelerations[j]) {
         const double acceleration =
             (turnVelocity(clip, f, j) - turnVelocity(clip, f - 1, j)).norm() * clip.framesPerSecond;
         keepWorst(acceleration / limits.accelerations[j], f, j, worst.acceleration);

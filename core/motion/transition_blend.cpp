@@ -148,8 +148,7 @@ Clip blendPoses(const TransitionBlend& blend) {
             .jointCount = jointCount,
             .rootPositions = std::vector<Vec3>(blend.frames),
             .rotations = std::vector<Quat>(blend.frames * jointCount)};
-  for (std::size_t f = 0; f < blend.frames; ++f)
-    blended.pose(f, clip.rootPositions[f], clip.rotationsOf(f));
+  for (std::size_t f = 0; f < blend.frames; ++f) blended.pose(f, clip.rootPositions[f], clip.rotationsOf(f));
   return clip;
 }
 

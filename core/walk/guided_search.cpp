@@ -44,24 +44,31 @@ std::vector<Heading> startHeadings(const MotionQuery& query, const GuidedSearchP
 /// headings, turned start, expansions, and more for each metre.
 constexpr std::array<GuidedStage, 3> kStages = {
     {{1.05, 1.0, 0.2, 24, false, 3'000, 40.0}, {1.1, 1.0, 0.2, 24, false, 6'000, 100.0}, {}}};
+/// The same where others move: what they cost is not in the estimate, so little greed finds nothing soon.
+constexpr std::array<GuidedStage, 3> kStagesAmongMovers = {{{1.2, 1.0, 0.2, 24, false, 4'000, 60.0},
+                                                            {1.5, 1.0, 0.2, 24, false, 15'000, 200.0},
+                                                            {2.0, 1.0, 0.2, 24, false, 40'000, 250.0}}};
 /// What follows when a stage has run through all states: other first headings, then finer cells.
 constexpr std::array<GuidedStage, 2> kAfterExhaustion = {
-    {{1.2, 1.0, 0.2, 24, true, 40'000, 250.0}, {1.2, 1.0, 0.1, 48, true, 400'000, 250.0}}};
+    {{1.2, 1.0, 0.2, 24, true, 40'000, 250.0}, {1.2, 1.0, 0.1, 48, true, 150'000, 250.0}}};
 /// What follows when all budgets ran out.
 constexpr std::array<GuidedStage, 2> kAfterBudget = {
-    {{1.5, 1.0, 0.2, 24, true, 100'000, 500.0}, {3.0, 0.0, 0.1, 48, true, 1'000'000, 0.0}}};
+    {{1.5, 1.0, 0.2, 24, true, 100'000, 500.0}, {3.0, 0.0, 0.1, 48, true, 300'000, 0.0}}};
 
 /// By how much the weight falls from one improvement to the next, and where that ends: at half of the
 /// estimate nothing more will be found in time.
 constexpr double kWeightFall = 0.95;
 constexpr double kLeastWeight = 0.5;
 
+/// A search that came no nearer to the goal than this, metres of way, was not kept from it by how to end
+/// there.
+constexpr double kNearMetres = 4.0;
+
 /// An improvement below this is none, metres of cost.
 constexpr double kWorthMetres = 0.01;
 
 std::string explain(SearchStatus status, const SearchTrouble& trouble, const MotionQuery& query) {
-  if (status != SearchStatus::kBudgetSpent)
-    return explainNoMotion(trouble, query.plan, query.start.position);
+  if (status != SearchStatus::kBudgetSpent) return explainNoMotion(trouble, query.plan, query.start.position);
   return "the search used up its budget before a walk was found: try another seed, a larger budget or more "
          "clips";
 }
@@ -73,7 +80,9 @@ std::optional<DistanceField> fieldUnlessKnown(const MotionQuery& query) {
   if (query.constraints != nullptr && !query.constraints->areas.empty()) {
     const ConstraintCost wishes(*query.constraints, query.library.frames.framesPerSecond);
     const double perMetre = query.tables.steering.costPerMetre();
-    params.weight = [wishes, perMetre](const Vec2& point) { return 1.0 + wishes.perMetreAt(point) / perMetre; };
+    params.weight = [wishes, perMetre](const Vec2& point) {
+      return 1.0 + wishes.perMetreAt(point) / perMetre;
+    };
   } else if (query.field != nullptr) {
     return std::nullopt;
   }
@@ -96,9 +105,12 @@ class Cascade {
       result = seek(end);
       if (result.status == SearchStatus::kArrived) improve(result, end);
       if (result.status == SearchStatus::kArrived || outOfTime()) break;
+      // Who does not even come near the goal finds no other end there either.
+      if (trouble_.metresLeft > kNearMetres) break;
     }
     result.expansions = expansions_;
-    if (result.status != SearchStatus::kArrived) result.explanation = explain(result.status, trouble_, query_);
+    if (result.status != SearchStatus::kArrived)
+      result.explanation = explain(result.status, trouble_, query_);
     return result;
   }
 
@@ -118,7 +130,8 @@ class Cascade {
   }
 
   MotionResult seek(const WalkEnd& end) {
-    MotionResult result = tryInTurn(kStages, SearchStatus::kBudgetSpent, end);
+    const bool meets = query_.traffic != nullptr && !query_.traffic->empty();
+    MotionResult result = tryInTurn(meets ? kStagesAmongMovers : kStages, SearchStatus::kBudgetSpent, end);
     if (result.status == SearchStatus::kNoMotion)
       result = tryInTurn(kAfterExhaustion, SearchStatus::kNoMotion, end);
     if (result.status == SearchStatus::kBudgetSpent && !outOfTime())

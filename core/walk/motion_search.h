@@ -49,7 +49,8 @@ struct MotionQuery {
   /// States looked at beyond those of the first walk to find cheaper ones; 0 takes the first.
   std::uint64_t improvementExpansions = 0;
   std::function<bool()> outOfTime{};  ///< Asked now and then; true ends the search. May be empty.
-  /// How far it is to the goal from anywhere, finite at the start; null where a search has to find out itself.
+  /// How far it is to the goal from anywhere, finite at the start; null where a search has to find out
+  /// itself.
   const DistanceField* field = nullptr;
   /// What moves while the walk goes on; null when nothing does. The thesis search does not look at it.
   Traffic* traffic = nullptr;

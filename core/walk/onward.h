@@ -16,8 +16,8 @@ struct TurnOff {
   std::vector<WalkStep> steps;  ///< Of the walk, until there.
 };
 
-/// The first decision node that a walk comes to after a frame; nothing when there is none left, which is so in
-/// its last steps.
+/// The first decision node that a walk comes to after a frame; nothing when there is none left, which is so
+/// in its last steps.
 std::optional<TurnOff> turnOff(const SearchGraph& graph, const Plan& walk, std::size_t frame);
 
 /// The steps of a walk until it turns off, and those found for what is left of it, as one path.
@@ -27,8 +27,8 @@ MotionPath joined(std::vector<WalkStep> steps, const MotionPath& rest, const Flo
 std::vector<FloorTransform> replaced(std::span<const FloorTransform> way, std::size_t frame,
                                      std::span<const FloorTransform> rest);
 
-/// Shows the one walk until a frame and leads over to the other within a third of a second. Their poses differ
-/// there by no more than how feet were corrected, so the eye sees no seam.
+/// Shows the one walk until a frame and leads over to the other within a third of a second. Their poses
+/// differ there by no more than how feet were corrected, so the eye sees no seam.
 void fadeFrom(const Clip& before, std::size_t frame, Clip& walk);
 
 }  // namespace stridegraph

@@ -15,8 +15,8 @@ namespace stridegraph {
 /// positions 0..frames (frames + 1 of them; the first is the identity).
 std::vector<FloorTransform> pieceTrack(const MotionLibrary& library, const MotionPiece& piece);
 
-/// A piece read position by position, 0..frames. Bodies stand as in the library on a clip piece, and as in the
-/// world of the source clip on a transition. Borrows the library.
+/// A piece read position by position, 0..frames. Bodies stand as in the library on a clip piece, and as in
+/// the world of the source clip on a transition. Borrows the library.
 class PieceMotion {
  public:
   PieceMotion(const MotionLibrary& library, const MotionPiece& piece);

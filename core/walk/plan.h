@@ -110,9 +110,9 @@ struct Plan {
   std::vector<std::pair<Vec2, Vec2>> roadmap;  ///< Edges of the roadmap or of both trees.
   std::vector<Vec2> path;                      ///< From start to goal; empty when there is none.
   std::vector<Vec2> subgoals;
-  MotionPath motion;                           ///< What the walk plays; without steps unless arrived.
-  std::vector<FloorTransform> way;             ///< Where the body stands at each frame of the walk.
-  std::vector<Plan> others;  ///< Walks of the scene's further walkers, in their order.
+  MotionPath motion;                ///< What the walk plays; without steps unless arrived.
+  std::vector<FloorTransform> way;  ///< Where the body stands at each frame of the walk.
+  std::vector<Plan> others;         ///< Walks of the scene's further walkers, in their order.
 };
 
 /// A library made ready for planning walk after walk: the session facade. Immutable; planning the same scene

@@ -98,7 +98,8 @@ std::string caveats(const FinishedWalk& done, const PlanReport& report) {
         -report.clearanceMetres, searchName(report.search)));
   }
   if (report.movingClearanceMetres && *report.movingClearanceMetres < 0.0)
-    sentences.push_back(fmt::format("it comes {:.2f} m into something that moves", -*report.movingClearanceMetres));
+    sentences.push_back(
+        fmt::format("it comes {:.2f} m into something that moves", -*report.movingClearanceMetres));
   if (report.constraintsKept && *report.constraintsKept < kMostlyKept)
     sentences.push_back(fmt::format("it keeps to the gait and speed asked for only {:.0f} % of the time",
                                     100.0 * *report.constraintsKept));

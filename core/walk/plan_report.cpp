@@ -77,7 +77,9 @@ nlohmann::ordered_json objectOf(const PlanReport& report) {
 
 }  // namespace
 
-std::string toJson(const PlanReport& report) { return objectOf(report).dump(1); }
+std::string toJson(const PlanReport& report) {
+  return objectOf(report).dump(1);
+}
 
 std::string toJson(const Plan& plan) {
   nlohmann::ordered_json json = objectOf(plan.report);

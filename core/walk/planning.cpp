@@ -164,13 +164,14 @@ class Planning {
     plan_.motion = turn_ ? joined(turn_->steps, found, task_.underWay->motion.start) : found;
     SynthesisedWalk made = synthesise(library_, plan_.motion);
     plan_.way = made.placements;
-    if (turn_) plan_.way = replaced(task_.underWay->way, turn_->onward.frame, placementsAlong(library_, found));
+    if (turn_)
+      plan_.way = replaced(task_.underWay->way, turn_->onward.frame, placementsAlong(library_, found));
     if (report.search == SearchKind::kGuided) bendEnd();
     moveRoots(made.placements, plan_.way, made.clip);
     if (options_.footCleanup) cleanFeet(made);
     if (turn_) fadeFrom(task_.underWay->walk, task_.frame, made.clip);
-    measurePlan({library_, prepared_.tables.graph, prepared_.sources, task_.floor, scene_, task_.goal, options_,
-                 plan_.motion, made.clip, task_.traffic},
+    measurePlan({library_, prepared_.tables.graph, prepared_.sources, task_.floor, scene_, task_.goal,
+                 options_, plan_.motion, made.clip, task_.traffic},
                 report);
     plan_.walk = std::move(made.clip);
     plan_.frameKinds = std::move(made.frameKinds);
@@ -214,7 +215,8 @@ class Planning {
 
 }  // namespace
 
-Plan planWalk(const Prepared& prepared, const Scene& scene, const PlanOptions& options, const PlanTask& task) {
+Plan planWalk(const Prepared& prepared, const Scene& scene, const PlanOptions& options,
+              const PlanTask& task) {
   return Planning(prepared, scene, options, task).run();
 }
 

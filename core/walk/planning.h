@@ -19,7 +19,8 @@ struct PlanTask {
   Placement start;
   Placement goal;
   Traffic& traffic;
-  const Plan* underWay = nullptr;  ///< A walk that is to go on differently from `frame` on; null for a new one.
+  const Plan* underWay =
+      nullptr;  ///< A walk that is to go on differently from `frame` on; null for a new one.
   std::size_t frame = 0;
 };
 

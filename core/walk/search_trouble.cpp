@@ -34,15 +34,17 @@ std::string nearestThing(const FloorPlan& plan, const Vec2& point) {
 
 std::string explainNoMotion(const SearchTrouble& trouble, const FloorPlan& plan, const Vec2& start) {
   if (!trouble.begun && trouble.tooLate > 0)
-    return "the goal is too far to be there in the time asked for: not even this library's fastest way straight on would do";
+    return "the goal is too far to be there in the time asked for: not even this library's fastest way "
+           "straight on would do";
   if (!trouble.begun) {
     const bool still = !plan.isFree(trouble.blocked);
-    return fmt::format("every first step from the start at ({:.1f}, {:.1f}) touches {}: give it more room, or turn it",
-                       start.x(), start.y(),
-                       still ? nearestThing(plan, trouble.blocked) : "something that moves");
+    return fmt::format(
+        "every first step from the start at ({:.1f}, {:.1f}) touches {}: give it more room, or turn it",
+        start.x(), start.y(), still ? nearestThing(plan, trouble.blocked) : "something that moves");
   }
   std::string text = fmt::format(
-      "no walk that these clips can make leads through: the nearest to the goal came to ({:.1f}, {:.1f}), {:.1f} m "
+      "no walk that these clips can make leads through: the nearest to the goal came to ({:.1f}, {:.1f}), "
+      "{:.1f} m "
       "before it, beside {}",
       trouble.nearest.x(), trouble.nearest.y(), trouble.metresLeft, nearestThing(plan, trouble.nearest));
   if (trouble.tooLate > 0) text += "; other ways would have come too late";

@@ -10,7 +10,7 @@ namespace stridegraph {
 
 /// What stood in the way of a search that found nothing.
 struct SearchTrouble {
-  bool begun = false;     ///< Some way to begin could be walked to its end.
+  bool begun = false;           ///< Some way to begin could be walked to its end.
   Vec2 blocked = Vec2::Zero();  ///< Where the first ways to begin touch something.
   Vec2 nearest = Vec2::Zero();  ///< Of the places reached the one from which the least way was left,
   double metresLeft = std::numeric_limits<double>::infinity();  ///< and how much.

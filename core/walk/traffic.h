@@ -24,13 +24,13 @@ class Traffic {
       : radiusMetres_(radiusMetres), framesPerSecond_(framesPerSecond) {}
 
   void addObstacle(const MovingObstacle& obstacle);
-  /// A disc of the same radius that is at way[f] at frame f, stays where the way ends, and is gone from a frame
-  /// on.
+  /// A disc of the same radius that is at way[f] at frame f, stays where the way ends, and is gone from a
+  /// frame on.
   void addBody(std::span<const Vec2> way, std::uint32_t goneFrom = kForEver);
 
   bool empty() const { return movers_.empty(); }
-  /// Distance of the disc's rim at the point to the nearest thing that is there at that frame, metres; negative
-  /// when it touches it, infinite when nothing moves.
+  /// Distance of the disc's rim at the point to the nearest thing that is there at that frame, metres;
+  /// negative when it touches it, infinite when nothing moves.
   double clearance(const Vec2& point, std::uint32_t frame);
   /// Whether a disc that goes along the samples of a way from a placement touches nothing; sample s is shown
   /// at firstFrame + s.

@@ -65,8 +65,8 @@ class Crowd {
     std::size_t mostArrived = 0;
     for (std::size_t attempt = 0; attempt < std::min(kOrders, walkers_.size() + 1); ++attempt) {
       const std::optional<std::size_t> stuck = planInTurn(order);
-      const auto arrived = static_cast<std::size_t>(std::count_if(
-          plans_.begin(), plans_.end(), [](const Plan& plan) { return hasArrived(plan); }));
+      const auto arrived = static_cast<std::size_t>(
+          std::count_if(plans_.begin(), plans_.end(), [](const Plan& plan) { return hasArrived(plan); }));
       if (best.empty() || arrived > mostArrived) {
         mostArrived = arrived;
         best = std::move(plans_);
@@ -135,7 +135,10 @@ class Crowd {
 }  // namespace
 
 WalkPlanner::WalkPlanner(std::shared_ptr<const MotionLibrary> library)
-    : library_(std::move(library)), tables_(*library_), feet_(*library_), sources_(sourceFigures(*library_)) {}
+    : library_(std::move(library)),
+      tables_(*library_),
+      feet_(*library_),
+      sources_(sourceFigures(*library_)) {}
 
 Result<Plan> WalkPlanner::plan(const Scene& scene, const PlanOptions& options) const {
   if (auto checked = checkScene(scene); !checked) return fail(std::move(checked));
@@ -149,8 +152,9 @@ Result<Plan> WalkPlanner::replan(const Plan& current, std::size_t frame, const S
   if (auto checked = checkScene(scene); !checked) return fail(std::move(checked));
   if (auto checked = checkOptions(options); !checked) return fail(std::move(checked));
   if (current.others.size() != scene.walkers.size())
-    return fail(ErrorCode::kInvalidArgument, fmt::format("walkers: found {}, expected {} as in the walk under way",
-                                                         scene.walkers.size(), current.others.size()));
+    return fail(ErrorCode::kInvalidArgument,
+                fmt::format("walkers: found {}, expected {} as in the walk under way", scene.walkers.size(),
+                            current.others.size()));
   const Prepared prepared{*library_, tables_, feet_, sources_};
   return Crowd(prepared, scene, options, &current, frame).run();
 }

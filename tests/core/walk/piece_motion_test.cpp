@@ -49,7 +49,8 @@ Clip posesOf(const MotionLibrary& library, const MotionPiece& piece) {
              .rootPositions = std::vector<Vec3>(piece.frames + 1),
              .rotations = std::vector<Quat>((piece.frames + 1) * library.skeleton.size())};
   const PieceMotion motion(library, piece);
-  for (std::size_t p = 0; p <= piece.frames; ++p) motion.pose(p, poses.rootPositions[p], poses.rotationsOf(p));
+  for (std::size_t p = 0; p <= piece.frames; ++p)
+    motion.pose(p, poses.rootPositions[p], poses.rotationsOf(p));
   return poses;
 }
 
