@@ -110,7 +110,7 @@ void addPlanCommand(CLI::App& program, int& exitCode) {
       ->check(CLI::IsMember({"prm", "rrt-connect"}))
       ->capture_default_str();
   command->add_option("--search", arguments->search)
-      ->check(CLI::IsMember({"guided", "thesis"}))
+      ->check(CLI::IsMember({"guided", "thesis", "thesis-checked"}))
       ->capture_default_str();
   command
       ->add_option("--budget-ms", arguments->options.budgetMilliseconds,
