@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cstdio>
 
 #include "commands.h"
@@ -10,6 +9,7 @@
 #include "motion/glb_writer.h"
 #include "scene/scene_json.h"
 #include "walk/plan.h"
+#include "wall_clock.h"
 
 namespace stridegraph::tools {
 namespace {
@@ -27,11 +27,6 @@ struct PlanArguments {
   bool rawFeet = false;
   PlanOptions options;
 };
-
-double millisecondsNow() {
-  using Milliseconds = std::chrono::duration<double, std::milli>;
-  return Milliseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 Result<Plan> makePlan(const PlanArguments& arguments, std::shared_ptr<const MotionLibrary>& library) {
   auto graphText = readFile(arguments.graphPath);

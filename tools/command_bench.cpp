@@ -1,0 +1,249 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <sstream>
+
+#include "bench/document_json.h"
+#include "bench/measuring.h"
+#include "bench/random_room.h"
+#include "bench/tables.h"
+#include "commands.h"
+#include "files.h"
+#include "graph/sgraph_file.h"
+#include "path/shortest_path.h"
+#include "scene/scene_json.h"
+#include "scene_folder.h"
+#include "wall_clock.h"
+
+namespace stridegraph::tools {
+namespace {
+
+using bench::BenchDocument;
+using bench::BenchRoom;
+
+struct BenchArguments {
+  std::string mapsFolder;
+  std::vector<std::string> graphPaths;
+  std::vector<std::string> methods = {"exact", "prm", "rrt-connect", "guided", "thesis", "thesis-checked"};
+  std::uint64_t seeds = 20;
+  std::optional<std::uint64_t> randomSeed;
+  std::uint64_t firstRoom = 1;
+  std::uint64_t rooms = 1000;
+  std::string writtenFolder;
+  std::vector<std::string> joinedPaths;
+  std::string jsonPath;
+  std::string markdownPath;
+  bench::MeasureParams measure;
+
+  bool asksFor(std::string_view method) const {
+    return std::find(methods.begin(), methods.end(), method) != methods.end();
+  }
+};
+
+void say(const std::string& line) {
+  fmt::print(stderr, "{}\n", line);
+}
+
+void noteShortest(BenchRoom& room) {
+  const FloorPlan plan(room.scene, room.scene.radiusMetres);
+  const auto path = shortestPath(plan, room.scene.start.position, room.scene.goal.position);
+  if (path) room.shortestMetres = path->lengthMetres;
+}
+
+/// The maps of a folder, with the lengths in its shortest_paths.txt ("NAME METRES" or "NAME none"), or else
+/// with exact ones found here.
+Result<std::vector<BenchRoom>> readMaps(const std::string& folder) {
+  auto files = readSceneFolder(folder);
+  if (!files) return fail(std::move(files));
+  std::vector<BenchRoom> maps;
+  for (SceneFile& file : *files) maps.push_back({bench::kMapsSet, file.name, std::move(file.scene), {}});
+  std::vector<bool> known(maps.size(), false);
+  std::istringstream lines(readFile(folder + "/shortest_paths.txt").value_or(""));
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string name;
+    double metres = 0.0;
+    words >> name;
+    const bool hasWay = static_cast<bool>(words >> metres);
+    for (std::size_t m = 0; m < maps.size(); ++m) {
+      if (maps[m].name != name) continue;
+      known[m] = true;
+      if (hasWay) maps[m].shortestMetres = metres;
+    }
+  }
+  for (std::size_t m = 0; m < maps.size(); ++m)
+    if (!known[m]) noteShortest(maps[m]);
+  return maps;
+}
+
+std::vector<BenchRoom> makeRandomRooms(const BenchArguments& arguments) {
+  std::vector<BenchRoom> rooms;
+  if (!arguments.randomSeed) return rooms;
+  for (std::uint64_t i = 0; i < arguments.rooms; ++i) {
+    const std::uint64_t number = arguments.firstRoom + i;
+    rooms.push_back({bench::kRandomSet,
+                     fmt::format("room_{:04}", number),
+                     bench::randomRoom(*arguments.randomSeed, number),
+                     {}});
+    noteShortest(rooms.back());
+  }
+  return rooms;
+}
+
+/// The rooms as a folder that --maps reads, here and in Node.js.
+Result<void> writeRooms(const std::vector<BenchRoom>& rooms, const std::string& folder) {
+  if (auto made = makeFolder(folder); !made) return made;
+  std::string lengths = "# Exact shortest path of the disc, metres\n";
+  for (const BenchRoom& room : rooms) {
+    auto written = writeFile(folder + "/" + room.name + ".json", writeSceneJson(room.scene));
+    if (!written) return written;
+    lengths += room.shortestMetres ? fmt::format("{} {}\n", room.name, *room.shortestMetres)
+                                   : fmt::format("{} none\n", room.name);
+  }
+  return writeFile(folder + "/shortest_paths.txt", lengths);
+}
+
+struct BenchLibrary {
+  std::string name;
+  WalkPlanner planner;
+};
+
+Result<BenchLibrary> openLibrary(const std::string& path) {
+  auto text = readFile(path);
+  if (!text) return fail(std::move(text));
+  auto library = readSgraph(bytesOf(*text));
+  if (!library) {
+    library.error().place.file = path;
+    return fail(std::move(library));
+  }
+  return BenchLibrary{std::filesystem::path(path).stem().string(),
+                      WalkPlanner(std::make_shared<const MotionLibrary>(std::move(*library)))};
+}
+
+void measurePaths(const BenchArguments& arguments, const std::vector<BenchRoom>& maps,
+                  BenchDocument& document) {
+  for (const BenchRoom& map : maps) {
+    for (const bench::PathMethod& method : bench::pathMethods()) {
+      if (!arguments.asksFor(method.name)) continue;
+      const std::uint64_t seeds =
+          method.seeded ? arguments.seeds : std::min<std::uint64_t>(arguments.seeds, 1);
+      for (std::uint64_t seed = 1; seed <= seeds; ++seed)
+        document.runs.push_back(bench::measurePath(method, map, seed, arguments.measure));
+    }
+    say(fmt::format("paths: {}", map.name));
+  }
+}
+
+void measureWalks(const BenchArguments& arguments, const BenchLibrary& library,
+                  const std::vector<BenchRoom>& maps, BenchDocument& document) {
+  const auto measure = [&](const BenchRoom& room, SearchKind search, std::uint64_t seed) {
+    bench::BenchRun run = bench::measureWalk(library.planner, room, search, seed, arguments.measure);
+    run.library = library.name;
+    return run;
+  };
+  for (const BenchRoom& map : maps) {
+    for (const SearchKind search : kAllSearchKinds) {
+      if (!arguments.asksFor(searchName(search))) continue;
+      measure(map, search, 0);  // Caches and memory are warm from here on.
+      for (std::uint64_t seed = 1; seed <= arguments.seeds; ++seed)
+        document.runs.push_back(measure(map, search, seed));
+    }
+    say(fmt::format("{}: {}", library.name, map.name));
+  }
+}
+
+void measureRandomRooms(const BenchArguments& arguments, const BenchLibrary& library,
+                        const std::vector<BenchRoom>& rooms, BenchDocument& document) {
+  for (std::size_t i = 0; i < rooms.size(); ++i) {
+    bench::BenchRun run = bench::measureWalk(library.planner, rooms[i], SearchKind::kGuided,
+                                             rooms[i].scene.seed, arguments.measure);
+    run.library = library.name;
+    document.runs.push_back(std::move(run));
+    if ((i + 1) % 100 == 0) say(fmt::format("{}: {} random rooms", library.name, i + 1));
+  }
+}
+
+Result<BenchDocument> measureAll(const BenchArguments& arguments) {
+  BenchDocument document;
+  Result<std::vector<BenchRoom>> maps;
+  if (!arguments.mapsFolder.empty()) maps = readMaps(arguments.mapsFolder);
+  if (!maps) return fail(std::move(maps));
+  const std::vector<BenchRoom> rooms = makeRandomRooms(arguments);
+  if (!arguments.writtenFolder.empty()) {
+    if (auto written = writeRooms(rooms, arguments.writtenFolder); !written) return fail(std::move(written));
+  }
+  measurePaths(arguments, *maps, document);
+  for (const std::string& path : arguments.graphPaths) {
+    const auto library = openLibrary(path);
+    if (!library) return tl::unexpected<Error>(library.error());
+    measureWalks(arguments, *library, *maps, document);
+    measureRandomRooms(arguments, *library, rooms, document);
+  }
+  for (const std::string& path : arguments.joinedPaths) {
+    auto text = readFile(path);
+    if (!text) return fail(std::move(text));
+    if (auto joined = joinBenchJson(*text, path, document); !joined) return fail(std::move(joined));
+  }
+  return document;
+}
+
+Result<void> writeResults(const BenchArguments& arguments, const BenchDocument& document) {
+  const std::string tables = benchTables(document);
+  fmt::print("{}", tables);
+  if (!arguments.jsonPath.empty()) {
+    if (auto written = writeFile(arguments.jsonPath, writeBenchJson(document)); !written) return written;
+  }
+  if (arguments.markdownPath.empty()) return {};
+  return writeFile(arguments.markdownPath, tables);
+}
+
+int runBench(const BenchArguments& arguments) {
+  const Result<BenchDocument> document = measureAll(arguments);
+  const Result<void> written =
+      document ? writeResults(arguments, *document) : tl::unexpected<Error>(document.error());
+  if (written) return kDone;
+  fmt::print(stderr, "stridegraph bench: {}\n", describe(written.error()));
+  return kWrongUse;
+}
+
+}  // namespace
+
+void addBenchCommand(CLI::App& program, int& exitCode) {
+  CLI::App* command = program.add_subcommand("bench", "Measure speed and quality on maps and random rooms");
+  auto arguments = std::make_shared<BenchArguments>();
+  bench::MeasureParams& measure = arguments->measure;
+  command->add_option("--maps", arguments->mapsFolder,
+                      "Folder of scenes (JSON), where there is one with shortest_paths.txt");
+  command->add_option("--graph", arguments->graphPaths, "Library (.sgraph); may be given several times");
+  command->add_option("--seeds", arguments->seeds, "Of each map and method: 1 to this")
+      ->capture_default_str();
+  command->add_option("--methods", arguments->methods, "What is measured on maps")
+      ->delimiter(',')
+      ->check(CLI::IsMember(arguments->methods))
+      ->capture_default_str();
+  command->add_option("--goal-radius", measure.goalRadiusMetres, "Metres")->capture_default_str();
+  command
+      ->add_option("--thesis-ms", measure.thesisBudgetMilliseconds,
+                   "When a search of the thesis is stopped, milliseconds")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command->add_option("--repeats", measure.repeats, "Times each run is made; the quickest counts")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command->add_option("--random", arguments->randomSeed, "Also in random rooms of this seed");
+  command->add_option("--rooms", arguments->rooms, "How many random rooms")->capture_default_str();
+  command->add_option("--first-room", arguments->firstRoom, "Number of the first")->capture_default_str();
+  command->add_option("--write-scenes", arguments->writtenFolder, "Folder for the random rooms as scenes");
+  command->add_option("--join", arguments->joinedPaths,
+                      "What bench --json or node_bench.mjs wrote, tabulated together with this");
+  command->add_option("--json", arguments->jsonPath, "Write every run");
+  command->add_option("--markdown", arguments->markdownPath, "Write the tables");
+  command->callback([arguments, &exitCode] {
+    arguments->measure.clock = millisecondsNow;
+    exitCode = runBench(*arguments);
+  });
+}
+
+}  // namespace stridegraph::tools
