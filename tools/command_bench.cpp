@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "bench/document_json.h"
+#include "bench/growth.h"
 #include "bench/measuring.h"
 #include "bench/random_room.h"
 #include "bench/tables.h"
@@ -32,6 +33,8 @@ struct BenchArguments {
   std::uint64_t firstRoom = 1;
   std::uint64_t rooms = 1000;
   std::string writtenFolder;
+  std::vector<std::size_t> frames;
+  std::vector<std::size_t> rectangles;
   std::vector<std::string> joinedPaths;
   std::string jsonPath;
   std::string markdownPath;
@@ -165,6 +168,22 @@ void measureRandomRooms(const BenchArguments& arguments, const BenchLibrary& lib
   }
 }
 
+void measureGrowthOfFrames(const BenchArguments& arguments, BenchDocument& document) {
+  for (const std::size_t frames : arguments.frames) {
+    document.growth.push_back(bench::growthAtFrames(frames, arguments.measure));
+    say(fmt::format("growth: {} frames", frames));
+  }
+}
+
+/// With one library: the growth is that of the room.
+void measureGrowthOfRooms(const BenchArguments& arguments, const BenchLibrary& library,
+                          BenchDocument& document) {
+  for (const std::size_t rectangles : arguments.rectangles) {
+    document.growth.push_back(bench::growthAtRectangles(library.planner, rectangles, arguments.measure));
+    say(fmt::format("growth: {} rectangles", rectangles));
+  }
+}
+
 Result<BenchDocument> measureAll(const BenchArguments& arguments) {
   BenchDocument document;
   Result<std::vector<BenchRoom>> maps;
@@ -180,7 +199,9 @@ Result<BenchDocument> measureAll(const BenchArguments& arguments) {
     if (!library) return tl::unexpected<Error>(library.error());
     measureWalks(arguments, *library, *maps, document);
     measureRandomRooms(arguments, *library, rooms, document);
+    if (path == arguments.graphPaths.front()) measureGrowthOfRooms(arguments, *library, document);
   }
+  measureGrowthOfFrames(arguments, document);
   for (const std::string& path : arguments.joinedPaths) {
     auto text = readFile(path);
     if (!text) return fail(std::move(text));
@@ -236,6 +257,14 @@ void addBenchCommand(CLI::App& program, int& exitCode) {
   command->add_option("--rooms", arguments->rooms, "How many random rooms")->capture_default_str();
   command->add_option("--first-room", arguments->firstRoom, "Number of the first")->capture_default_str();
   command->add_option("--write-scenes", arguments->writtenFolder, "Folder for the random rooms as scenes");
+  command
+      ->add_option("--growth-frames", arguments->frames,
+                   "Numbers of frames to build libraries from, as 1000,10000")
+      ->delimiter(',');
+  command
+      ->add_option("--growth-rectangles", arguments->rectangles,
+                   "Numbers of rectangles to walk between with the first library, as 0,100")
+      ->delimiter(',');
   command->add_option("--join", arguments->joinedPaths,
                       "What bench --json or node_bench.mjs wrote, tabulated together with this");
   command->add_option("--json", arguments->jsonPath, "Write every run");

@@ -41,9 +41,10 @@ Summary summarise(const RunPointers& runs) {
   summary.set = first.set;
   summary.room = first.room;
   summary.method = first.method;
+  summary.shortestMetres = first.shortestMetres;
   RunPointers arrived;
-  std::copy_if(runs.begin(), runs.end(), std::back_inserter(arrived),
-               [](const BenchRun* run) { return hasArrived(*run); });
+  RunPointers refused;
+  for (const BenchRun* run : runs) (hasArrived(*run) ? arrived : refused).push_back(run);
   summary.runs = runs.size();
   summary.arrived = arrived.size();
   summary.sound = static_cast<std::size_t>(
@@ -54,6 +55,8 @@ Summary summarise(const RunPointers& runs) {
   summary.synthesisMilliseconds =
       spreadOver(arrived, [](const BenchRun& run) { return run.synthesisMilliseconds; });
   summary.totalMilliseconds = spreadOver(runs, [](const BenchRun& run) { return run.totalMilliseconds; });
+  summary.refusedMilliseconds =
+      spreadOver(refused, [](const BenchRun& run) { return run.totalMilliseconds; });
   summary.expansions = spreadOver(runs, [](const BenchRun& run) { return run.expansions; });
   summary.lengthRatio =
       spreadOver(arrived, [](const BenchRun& run) { return run.lengthMetres / *run.shortestMetres; });
@@ -104,6 +107,7 @@ std::vector<Summary> summariesOfSet(std::span<const BenchRun> runs, const std::s
   for (const RunPointers& group : grouped(runs, set, key)) {
     summaries.push_back(summarise(group));
     summaries.back().room.clear();
+    summaries.back().shortestMetres.reset();
   }
   return summaries;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -27,7 +28,9 @@ struct Summary {
   std::size_t sound = 0;
   std::size_t arrived = 0;
   std::vector<std::pair<std::string, std::size_t>> statuses;  ///< How often each, the most frequent first.
+  std::optional<double> shortestMetres;                       ///< Of the room, where it is one.
   Spread pathMilliseconds, motionMilliseconds, synthesisMilliseconds, totalMilliseconds;
+  Spread refusedMilliseconds;  ///< Total, of those that did not arrive.
   Spread expansions;
   Spread lengthRatio;  ///< Over the shortest path.
   Spread transitionsPerSecond;
