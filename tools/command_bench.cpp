@@ -8,6 +8,7 @@
 #include "bench/document_json.h"
 #include "bench/growth.h"
 #include "bench/measuring.h"
+#include "bench/picture.h"
 #include "bench/random_room.h"
 #include "bench/tables.h"
 #include "commands.h"
@@ -38,6 +39,7 @@ struct BenchArguments {
   std::vector<std::string> joinedPaths;
   std::string jsonPath;
   std::string markdownPath;
+  std::string picturePath;
   bench::MeasureParams measure;
 
   bool asksFor(std::string_view method) const {
@@ -216,6 +218,10 @@ Result<void> writeResults(const BenchArguments& arguments, const BenchDocument& 
   if (!arguments.jsonPath.empty()) {
     if (auto written = writeFile(arguments.jsonPath, writeBenchJson(document)); !written) return written;
   }
+  if (!arguments.picturePath.empty()) {
+    const std::string picture = benchPicture(document).finish();
+    if (auto written = writeFile(arguments.picturePath, picture); !written) return written;
+  }
   if (arguments.markdownPath.empty()) return {};
   return writeFile(arguments.markdownPath, tables);
 }
@@ -269,6 +275,7 @@ void addBenchCommand(CLI::App& program, int& exitCode) {
                       "What bench --json or node_bench.mjs wrote, tabulated together with this");
   command->add_option("--json", arguments->jsonPath, "Write every run");
   command->add_option("--markdown", arguments->markdownPath, "Write the tables");
+  command->add_option("--svg", arguments->picturePath, "Write a picture");
   command->callback([arguments, &exitCode] {
     arguments->measure.clock = millisecondsNow;
     exitCode = runBench(*arguments);

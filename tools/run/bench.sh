@@ -1,0 +1,107 @@
+# shellcheck shell=bash
+# Measures speed and quality into build/bench. Sourced by ./run.
+
+benchFolder=build/bench
+benchSeeds=20
+benchRooms=1000
+benchDocs=no
+benchLibraries=()
+
+readBenchOptions() {
+  while [ "$#" -gt 0 ]; do
+    case "$1" in
+      --seeds | --rooms)
+        [[ "${2:-}" =~ ^[0-9]+$ ]] || fail "bench: $1 needs a number"
+        if [ "$1" = --seeds ]; then benchSeeds=$2; else benchRooms=$2; fi
+        shift 2
+        ;;
+      --docs)
+        benchDocs=yes
+        shift
+        ;;
+      *) fail "bench: found '$1', expected --seeds N, --rooms N or --docs" ;;
+    esac
+  done
+}
+
+# The default library, and those from captures as they are and mirrored.
+buildBenchLibraries() {
+  benchLibraries=(build/library/default.sgraph)
+  if [ -z "${STRIDEGRAPH_MOCAP:-}" ]; then
+    note "skipped: libraries from captured clips, since STRIDEGRAPH_MOCAP is not set"
+    return
+  fi
+  local name
+  for name in cmu16_walk accad_male1_walk; do
+    buildCapturedLibrary "$name" "build/captures/$name.sgraph"
+    buildCapturedLibrary "$name" "build/captures/${name}_mirrored.sgraph" --mirror
+    benchLibraries+=("build/captures/$name.sgraph" "build/captures/${name}_mirrored.sgraph")
+  done
+}
+
+# --graph for each library.
+graphOptions() {
+  local library
+  for library in "${benchLibraries[@]}"; do printf '%s\n' --graph "$library"; done
+}
+
+measureNatively() {
+  note "measuring natively"
+  build/bin/stridegraph bench --maps "$1" --seeds "$benchSeeds" --random 1 --rooms "$benchRooms" \
+    --write-scenes "$benchFolder/rooms" --json "$benchFolder/native.json" "${@:2}" >"$benchFolder/native.md"
+}
+
+measureGrowth() {
+  note "measuring how building and planning grow"
+  build/bin/stridegraph bench --graph build/library/default.sgraph --growth-frames 1000,3000,10000,30000,100000 \
+    --growth-rectangles 0,100,300,1000,2000 --json "$benchFolder/growth.json" >"$benchFolder/growth.md"
+}
+
+measureInNode() {
+  note "measuring in Node.js"
+  node tools/bench/node_bench.mjs --maps "$1" --seeds "$benchSeeds" --random "$benchFolder/rooms" \
+    -o "$benchFolder/node.json" "${@:2}"
+}
+
+# What the figures were measured on, in a sentence.
+benchMachine() {
+  local model
+  model=$(sed -n 's/^model name[[:space:]]*: //p' /proc/cpuinfo 2>/dev/null | head -n 1)
+  echo "Measured by \`./run bench\` on ${model:-an unknown processor}, one thread, Node.js $(node -p process.versions.node)."
+}
+
+# All records in one table and one picture.
+tabulateBench() {
+  local file joins=()
+  for file in native node growth; do joins+=(--join "$benchFolder/$file.json"); done
+  build/bin/stridegraph bench "${joins[@]}" --json "$benchFolder/bench.json" --svg "$benchFolder/bench.svg" \
+    >"$benchFolder/tables.md"
+  {
+    printf '# What was measured\n\n%s\n\n![Speed and quality](bench.svg)\n\n' "$(benchMachine)"
+    cat "$benchFolder/tables.md"
+  } >"$benchFolder/bench.md"
+}
+
+runBench() {
+  readBenchOptions "$@"
+  setupBuild
+  findMaps
+  buildPrograms
+  buildDefaultLibrary
+  buildModule
+  buildBenchLibraries
+  local maps=${STRIDEGRAPH_MAPS:-public/scenes} graphs
+  rm -rf "$benchFolder"
+  mkdir -p "$benchFolder"
+  mapfile -t graphs < <(graphOptions)
+  measureNatively "$maps" "${graphs[@]}"
+  measureInNode "$maps" "${graphs[@]}"
+  measureGrowth
+  tabulateBench
+  if [ "$benchDocs" = yes ]; then
+    sed 's#(bench.svg)#(images/bench.svg)#' "$benchFolder/bench.md" >docs/bench.md
+    cp "$benchFolder/bench.svg" docs/images/bench.svg
+    note "wrote docs/bench.md and docs/images/bench.svg"
+  fi
+  note "read $benchFolder/bench.md; every run is in $benchFolder/bench.json"
+}
