@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <sstream>
 
 #include "bench/document_json.h"
 #include "bench/growth.h"
@@ -14,9 +13,7 @@
 #include "commands.h"
 #include "files.h"
 #include "graph/sgraph_file.h"
-#include "path/shortest_path.h"
-#include "scene/scene_json.h"
-#include "scene_folder.h"
+#include "map_folder.h"
 #include "wall_clock.h"
 
 namespace stridegraph::tools {
@@ -51,38 +48,6 @@ void say(const std::string& line) {
   fmt::print(stderr, "{}\n", line);
 }
 
-void noteShortest(BenchRoom& room) {
-  const FloorPlan plan(room.scene, room.scene.radiusMetres);
-  const auto path = shortestPath(plan, room.scene.start.position, room.scene.goal.position);
-  if (path) room.shortestMetres = path->lengthMetres;
-}
-
-/// The maps of a folder, with the lengths in its shortest_paths.txt ("NAME METRES" or "NAME none"), or else
-/// with exact ones found here.
-Result<std::vector<BenchRoom>> readMaps(const std::string& folder) {
-  auto files = readSceneFolder(folder);
-  if (!files) return fail(std::move(files));
-  std::vector<BenchRoom> maps;
-  for (SceneFile& file : *files) maps.push_back({bench::kMapsSet, file.name, std::move(file.scene), {}});
-  std::vector<bool> known(maps.size(), false);
-  std::istringstream lines(readFile(folder + "/shortest_paths.txt").value_or(""));
-  for (std::string line; std::getline(lines, line);) {
-    std::istringstream words(line);
-    std::string name;
-    double metres = 0.0;
-    words >> name;
-    const bool hasWay = static_cast<bool>(words >> metres);
-    for (std::size_t m = 0; m < maps.size(); ++m) {
-      if (maps[m].name != name) continue;
-      known[m] = true;
-      if (hasWay) maps[m].shortestMetres = metres;
-    }
-  }
-  for (std::size_t m = 0; m < maps.size(); ++m)
-    if (!known[m]) noteShortest(maps[m]);
-  return maps;
-}
-
 std::vector<BenchRoom> makeRandomRooms(const BenchArguments& arguments) {
   std::vector<BenchRoom> rooms;
   if (!arguments.randomSeed) return rooms;
@@ -95,19 +60,6 @@ std::vector<BenchRoom> makeRandomRooms(const BenchArguments& arguments) {
     noteShortest(rooms.back());
   }
   return rooms;
-}
-
-/// The rooms as a folder that --maps reads, here and in Node.js.
-Result<void> writeRooms(const std::vector<BenchRoom>& rooms, const std::string& folder) {
-  if (auto made = makeFolder(folder); !made) return made;
-  std::string lengths = "# Exact shortest path of the disc, metres\n";
-  for (const BenchRoom& room : rooms) {
-    auto written = writeFile(folder + "/" + room.name + ".json", writeSceneJson(room.scene));
-    if (!written) return written;
-    lengths += room.shortestMetres ? fmt::format("{} {}\n", room.name, *room.shortestMetres)
-                                   : fmt::format("{} none\n", room.name);
-  }
-  return writeFile(folder + "/shortest_paths.txt", lengths);
 }
 
 struct BenchLibrary {
@@ -189,11 +141,12 @@ void measureGrowthOfRooms(const BenchArguments& arguments, const BenchLibrary& l
 Result<BenchDocument> measureAll(const BenchArguments& arguments) {
   BenchDocument document;
   Result<std::vector<BenchRoom>> maps;
-  if (!arguments.mapsFolder.empty()) maps = readMaps(arguments.mapsFolder);
+  if (!arguments.mapsFolder.empty()) maps = readMapFolder(arguments.mapsFolder);
   if (!maps) return fail(std::move(maps));
   const std::vector<BenchRoom> rooms = makeRandomRooms(arguments);
   if (!arguments.writtenFolder.empty()) {
-    if (auto written = writeRooms(rooms, arguments.writtenFolder); !written) return fail(std::move(written));
+    if (auto written = writeMapFolder(rooms, arguments.writtenFolder); !written)
+      return fail(std::move(written));
   }
   measurePaths(arguments, *maps, document);
   for (const std::string& path : arguments.graphPaths) {

@@ -128,10 +128,17 @@ std::string pathsTable(const std::vector<Summary>& summaries) {
     }
     table.add(cells);
   }
-  return section("Paths",
-                 "Paths of the disc alone, without making the room ready. Median / worst of all seeds. "
-                 "Native.",
-                 table);
+  const bool hasOmpl = std::any_of(methods.begin(), methods.end(),
+                                   [](const std::string& method) { return method.starts_with("ompl-"); });
+  std::string about =
+      "Paths of the disc alone, without making the room ready. Median / worst of all seeds. Native.";
+  if (hasOmpl)
+    about +=
+        " OMPL's planners ask the same exact questions of the room and have their paths simplified by OMPL, "
+        "as "
+        "ours by us; they stop after 1 s and cannot say that there is no way. BIT* goes on for 50 ms to find "
+        "shorter ones.";
+  return section("Paths", about, table);
 }
 
 /// The largest of some figures and the room it is of.

@@ -51,6 +51,16 @@ measureNatively() {
     --write-scenes "$benchFolder/rooms" --json "$benchFolder/native.json" "${@:2}" >"$benchFolder/native.md"
 }
 
+# Where OMPL is installed; CMake finds it when it configures.
+measureOmpl() {
+  if [ ! -x build/bin/ompl_bench ]; then
+    note "skipped: OMPL's planners, since it was not installed when build/release was configured (Debian: libompl-dev)"
+    return
+  fi
+  note "measuring OMPL's planners"
+  build/bin/ompl_bench --maps "$1" --seeds "$benchSeeds" -o "$benchFolder/ompl.json"
+}
+
 measureGrowth() {
   note "measuring how building and planning grow"
   build/bin/stridegraph bench --graph build/library/default.sgraph --growth-frames 1000,3000,10000,30000,100000 \
@@ -73,7 +83,9 @@ benchMachine() {
 # All records in one table and one picture.
 tabulateBench() {
   local file joins=()
-  for file in native node growth; do joins+=(--join "$benchFolder/$file.json"); done
+  for file in native ompl node growth; do
+    [ ! -f "$benchFolder/$file.json" ] || joins+=(--join "$benchFolder/$file.json")
+  done
   build/bin/stridegraph bench "${joins[@]}" --json "$benchFolder/bench.json" --svg "$benchFolder/bench.svg" \
     >"$benchFolder/tables.md"
   {
@@ -87,6 +99,7 @@ runBench() {
   setupBuild
   findMaps
   buildPrograms
+  buildTree release bench_programs
   buildDefaultLibrary
   buildModule
   buildBenchLibraries
@@ -95,6 +108,7 @@ runBench() {
   mkdir -p "$benchFolder"
   mapfile -t graphs < <(graphOptions)
   measureNatively "$maps" "${graphs[@]}"
+  measureOmpl "$maps"
   measureInNode "$maps" "${graphs[@]}"
   measureGrowth
   tabulateBench
