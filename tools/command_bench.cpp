@@ -25,7 +25,8 @@ using bench::BenchRoom;
 struct BenchArguments {
   std::string mapsFolder;
   std::vector<std::string> graphPaths;
-  std::vector<std::string> methods = {"exact", "prm", "rrt-connect", "guided", "thesis", "thesis-checked"};
+  std::vector<std::string> methods = {"exact",           "prm",    "rrt-connect",   "guided",
+                                      "guided-improved", "thesis", "thesis-checked"};
   std::uint64_t seeds = 20;
   std::optional<std::uint64_t> randomSeed;
   std::uint64_t firstRoom = 1;
@@ -64,7 +65,7 @@ std::vector<BenchRoom> makeRandomRooms(const BenchArguments& arguments) {
 
 struct BenchLibrary {
   std::string name;
-  WalkPlanner planner;
+  std::unique_ptr<const WalkPlanner> planner;
 };
 
 Result<BenchLibrary> openLibrary(const std::string& path) {
@@ -75,8 +76,9 @@ Result<BenchLibrary> openLibrary(const std::string& path) {
     library.error().place.file = path;
     return fail(std::move(library));
   }
-  return BenchLibrary{std::filesystem::path(path).stem().string(),
-                      WalkPlanner(std::make_shared<const MotionLibrary>(std::move(*library)))};
+  return BenchLibrary{
+      std::filesystem::path(path).stem().string(),
+      std::make_unique<WalkPlanner>(std::make_shared<const MotionLibrary>(std::move(*library)))};
 }
 
 void measurePaths(const BenchArguments& arguments, const std::vector<BenchRoom>& maps,
@@ -95,17 +97,17 @@ void measurePaths(const BenchArguments& arguments, const std::vector<BenchRoom>&
 
 void measureWalks(const BenchArguments& arguments, const BenchLibrary& library,
                   const std::vector<BenchRoom>& maps, BenchDocument& document) {
-  const auto measure = [&](const BenchRoom& room, SearchKind search, std::uint64_t seed) {
-    bench::BenchRun run = bench::measureWalk(library.planner, room, search, seed, arguments.measure);
+  const auto measure = [&](const BenchRoom& room, const bench::WalkMethod& method, std::uint64_t seed) {
+    bench::BenchRun run = bench::measureWalk(*library.planner, room, method, seed, arguments.measure);
     run.library = library.name;
     return run;
   };
   for (const BenchRoom& map : maps) {
-    for (const SearchKind search : kAllSearchKinds) {
-      if (!arguments.asksFor(searchName(search))) continue;
-      measure(map, search, 0);  // Caches and memory are warm from here on.
+    for (const bench::WalkMethod& method : bench::walkMethods()) {
+      if (!arguments.asksFor(method.name)) continue;
+      measure(map, method, 0);  // Caches and memory are warm from here on.
       for (std::uint64_t seed = 1; seed <= arguments.seeds; ++seed)
-        document.runs.push_back(measure(map, search, seed));
+        document.runs.push_back(measure(map, method, seed));
     }
     say(fmt::format("{}: {}", library.name, map.name));
   }
@@ -114,7 +116,7 @@ void measureWalks(const BenchArguments& arguments, const BenchLibrary& library,
 void measureRandomRooms(const BenchArguments& arguments, const BenchLibrary& library,
                         const std::vector<BenchRoom>& rooms, BenchDocument& document) {
   for (std::size_t i = 0; i < rooms.size(); ++i) {
-    bench::BenchRun run = bench::measureWalk(library.planner, rooms[i], SearchKind::kGuided,
+    bench::BenchRun run = bench::measureWalk(*library.planner, rooms[i], bench::kGuidedMethod,
                                              rooms[i].scene.seed, arguments.measure);
     run.library = library.name;
     document.runs.push_back(std::move(run));
@@ -133,7 +135,7 @@ void measureGrowthOfFrames(const BenchArguments& arguments, BenchDocument& docum
 void measureGrowthOfRooms(const BenchArguments& arguments, const BenchLibrary& library,
                           BenchDocument& document) {
   for (const std::size_t rectangles : arguments.rectangles) {
-    document.growth.push_back(bench::growthAtRectangles(library.planner, rectangles, arguments.measure));
+    document.growth.push_back(bench::growthAtRectangles(*library.planner, rectangles, arguments.measure));
     say(fmt::format("growth: {} rectangles", rectangles));
   }
 }
@@ -207,6 +209,11 @@ void addBenchCommand(CLI::App& program, int& exitCode) {
   command
       ->add_option("--thesis-ms", measure.thesisBudgetMilliseconds,
                    "When a search of the thesis is stopped, milliseconds")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command
+      ->add_option("--improve-ms", measure.improveMilliseconds,
+                   "For how long guided-improved goes on after a first walk, milliseconds")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   command->add_option("--repeats", measure.repeats, "Times each run is made; the quickest counts")

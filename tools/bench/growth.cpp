@@ -23,7 +23,7 @@ std::vector<BenchRun> walksThrough(const WalkPlanner& planner, const RandomRoomP
   std::vector<BenchRun> runs;
   for (std::uint64_t number = 1; number <= kRooms; ++number) {
     const BenchRoom room{kRandomSet, fmt::format("{}", number), randomRoom(kRoomSeed, number, rooms), {}};
-    runs.push_back(measureWalk(planner, room, SearchKind::kGuided, 1, params));
+    runs.push_back(measureWalk(planner, room, kGuidedMethod, 1, params));
   }
   return runs;
 }

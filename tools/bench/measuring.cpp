@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "base/hash.h"
 #include "path/path_planner.h"
@@ -98,17 +99,30 @@ std::vector<PathMethod> pathMethods() {
   return methods;
 }
 
-BenchRun measureWalk(const WalkPlanner& planner, const BenchRoom& room, SearchKind search, std::uint64_t seed,
-                     const MeasureParams& params) {
+std::vector<WalkMethod> walkMethods() {
+  std::vector<WalkMethod> methods = {kGuidedMethod, {"guided-improved", SearchKind::kGuided, true}};
+  for (const SearchKind search : {SearchKind::kThesis, SearchKind::kThesisChecked})
+    methods.push_back({std::string(searchName(search)), search, false});
+  return methods;
+}
+
+BenchRun measureWalk(const WalkPlanner& planner, const BenchRoom& room, const WalkMethod& method,
+                     std::uint64_t seed, const MeasureParams& params) {
   PlanOptions options;
   options.seed = seed;
-  options.search = search;
+  options.search = method.search;
   options.goalRadiusMetres = params.goalRadiusMetres;
   options.clock = params.clock;
-  if (search != SearchKind::kGuided) options.budgetMilliseconds = params.thesisBudgetMilliseconds;
+  if (method.search != SearchKind::kGuided) options.budgetMilliseconds = params.thesisBudgetMilliseconds;
+  if (method.improves) {
+    // The budget counts from the search's beginning, so the time of the first walk comes on top.
+    const Result<Plan> first = planner.plan(room.scene, options);
+    if (first) options.budgetMilliseconds = first->report.motionMilliseconds + params.improveMilliseconds;
+    options.improvementExpansions = std::numeric_limits<std::uint64_t>::max();
+  }
   return quickestOf(params.repeats, [&] {
     BenchRun run = runIn(room, seed, params);
-    run.method = searchName(search);
+    run.method = method.name;
     if (const Result<Plan> plan = planner.plan(room.scene, options)) {
       takeFigures(*plan, run);
     } else {

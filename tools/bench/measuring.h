@@ -15,9 +15,22 @@ namespace stridegraph::bench {
 struct MeasureParams {
   double goalRadiusMetres = 0.1;
   double thesisBudgetMilliseconds = 200.0;  ///< For each search of the thesis, which may circle for ever.
+  double improveMilliseconds = 50.0;        ///< For which an improving search goes on after its first walk.
   int repeats = 1;  ///< The quickest of so many counts: what else runs on a machine only ever adds time.
   MillisecondClock clock;
 };
+
+/// A search of motions, as it is measured.
+struct WalkMethod {
+  std::string name;
+  SearchKind search = SearchKind::kGuided;
+  bool improves = false;  ///< Goes on for MeasureParams::improveMilliseconds after the first walk.
+};
+
+inline const WalkMethod kGuidedMethod{"guided", SearchKind::kGuided, false};
+
+/// "guided", "guided-improved", "thesis" and "thesis-checked".
+std::vector<WalkMethod> walkMethods();
 
 /// What a path planner says.
 struct PathAnswer {
@@ -38,8 +51,8 @@ struct PathMethod {
 std::vector<PathMethod> pathMethods();
 
 /// A walk through a room, for the bench's disc and goal radius.
-BenchRun measureWalk(const WalkPlanner& planner, const BenchRoom& room, SearchKind search, std::uint64_t seed,
-                     const MeasureParams& params);
+BenchRun measureWalk(const WalkPlanner& planner, const BenchRoom& room, const WalkMethod& method,
+                     std::uint64_t seed, const MeasureParams& params);
 
 /// A path alone. Its clearance is that of all its points, or negative where a segment is not free.
 BenchRun measurePath(const PathMethod& method, const BenchRoom& room, std::uint64_t seed,

@@ -29,7 +29,7 @@ WalkPlanner planner() {
 
 TEST(MeasureWalk, takesItsFiguresFromThePlan) {
   const MeasureParams params = countingParams();
-  const BenchRun run = measureWalk(planner(), roomWithGap(), SearchKind::kGuided, 3, params);
+  const BenchRun run = measureWalk(planner(), roomWithGap(), kGuidedMethod, 3, params);
   PlanOptions options;
   options.seed = 3;
   const Plan plan = *planner().plan(roomWithGap().scene, options);
@@ -52,16 +52,31 @@ TEST(MeasureWalk, takesItsFiguresFromThePlan) {
 TEST(MeasureWalk, stopsTheThesisInItsTime) {
   MeasureParams params = countingParams();
   params.thesisBudgetMilliseconds = 0.5;
-  EXPECT_EQ(measureWalk(planner(), roomWithGap(), SearchKind::kThesis, 1, params).status, "budget_spent");
-  EXPECT_EQ(measureWalk(planner(), roomWithGap(), SearchKind::kThesisChecked, 1, params).status,
-            "budget_spent");
-  EXPECT_EQ(measureWalk(planner(), roomWithGap(), SearchKind::kGuided, 1, params).status, "arrived");
+  EXPECT_EQ(measureWalk(planner(), roomWithGap(), walkMethods()[2], 1, params).status, "budget_spent");
+  EXPECT_EQ(measureWalk(planner(), roomWithGap(), walkMethods()[3], 1, params).status, "budget_spent");
+  EXPECT_EQ(measureWalk(planner(), roomWithGap(), kGuidedMethod, 1, params).status, "arrived");
+}
+
+TEST(MeasureWalk, looksForBetterWalksWhereTheMethodImproves) {
+  const MeasureParams params = countingParams();
+  const BenchRun first = measureWalk(planner(), roomWithGap(), kGuidedMethod, 1, params);
+  const BenchRun improved = measureWalk(planner(), roomWithGap(), walkMethods()[1], 1, params);
+  EXPECT_EQ(improved.method, "guided-improved");
+  EXPECT_TRUE(isSound(improved)) << improved.status;
+  EXPECT_GT(improved.expansions, first.expansions);
+  EXPECT_GT(improved.motionMilliseconds, first.motionMilliseconds);
+}
+
+TEST(MeasureWalk, knowsEverySearch) {
+  std::vector<std::string> names;
+  for (const WalkMethod& method : walkMethods()) names.push_back(method.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"guided", "guided-improved", "thesis", "thesis-checked"}));
 }
 
 TEST(MeasureWalk, saysWhatIsWrongWithARoom) {
   BenchRoom room = roomWithGap();
   room.scene.widthMetres = -1.0;
-  const BenchRun run = measureWalk(planner(), room, SearchKind::kGuided, 1, countingParams());
+  const BenchRun run = measureWalk(planner(), room, kGuidedMethod, 1, countingParams());
   EXPECT_EQ(run.status, "scene_value");
   EXPECT_NE(run.explanation, "");
 }
