@@ -5,6 +5,8 @@ benchFolder=build/bench
 benchSeeds=20
 benchRooms=1000
 benchDocs=no
+benchFrames=1000,3000,10000,30000,100000
+benchTiming=()
 benchLibraries=()
 
 readBenchOptions() {
@@ -15,11 +17,21 @@ readBenchOptions() {
         if [ "$1" = --seeds ]; then benchSeeds=$2; else benchRooms=$2; fi
         shift 2
         ;;
+      --quick)
+        benchSeeds=3
+        benchRooms=50
+        benchFrames=1000,3000,10000
+        shift
+        ;;
+      --processor-time)
+        benchTiming=(--processor-time)
+        shift
+        ;;
       --docs)
         benchDocs=yes
         shift
         ;;
-      *) fail "bench: found '$1', expected --seeds N, --rooms N or --docs" ;;
+      *) fail "bench: found '$1', expected --quick, --seeds N, --rooms N, --processor-time or --docs" ;;
     esac
   done
 }
@@ -48,7 +60,7 @@ graphOptions() {
 measureNatively() {
   note "measuring natively"
   build/bin/stridegraph bench --maps "$1" --seeds "$benchSeeds" --random 1 --rooms "$benchRooms" \
-    --write-scenes "$benchFolder/rooms" --json "$benchFolder/native.json" "${@:2}" >"$benchFolder/native.md"
+    --write-scenes "$benchFolder/rooms" --json "$benchFolder/native.json" "${benchTiming[@]}" "${@:2}" >"$benchFolder/native.md"
 }
 
 # Where OMPL is installed; CMake finds it when it configures.
@@ -63,8 +75,8 @@ measureOmpl() {
 
 measureGrowth() {
   note "measuring how building and planning grow"
-  build/bin/stridegraph bench --graph build/library/default.sgraph --growth-frames 1000,3000,10000,30000,100000 \
-    --growth-rectangles 0,100,300,1000,2000 --json "$benchFolder/growth.json" >"$benchFolder/growth.md"
+  build/bin/stridegraph bench --graph build/library/default.sgraph --growth-frames "$benchFrames" \
+    --growth-rectangles 0,100,300,1000,2000 --json "$benchFolder/growth.json" "${benchTiming[@]}" >"$benchFolder/growth.md"
 }
 
 measureInNode() {
@@ -77,7 +89,9 @@ measureInNode() {
 benchMachine() {
   local model
   model=$(sed -n 's/^model name[[:space:]]*: //p' /proc/cpuinfo 2>/dev/null | head -n 1)
-  echo "Measured by \`./run bench\` on ${model:-an unknown processor}, one thread, Node.js $(node -p process.versions.node)."
+  local timing=
+  [ "${#benchTiming[@]}" -eq 0 ] || timing=" Native times are what the processor spent."
+  echo "Measured by \`./run bench\` on ${model:-an unknown processor}, one thread, Node.js $(node -p process.versions.node).$timing"
 }
 
 # All records in one table and one picture.
