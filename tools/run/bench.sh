@@ -63,6 +63,19 @@ measureNatively() {
     --write-scenes "$benchFolder/rooms" --json "$benchFolder/native.json" "${benchTiming[@]}" "${@:2}" >"$benchFolder/native.md"
 }
 
+# Frames compared in a second, beside a matrix product in the same run: as text, since its figures are its own.
+measureSimilarity() {
+  local program=build/release/bench/similarity_bench
+  note "measuring the comparison of frames"
+  {
+    printf '## Similarity\n\nPairs of frames compared in a second on one core.\n\n~~~text\n'
+    "$program"
+    printf '~~~\n\nIn Node.js:\n\n~~~json\n'
+    node tests/bench/similarity_node.mjs "$program"
+    printf '~~~\n\n'
+  } >"$benchFolder/similarity.md"
+}
+
 # Where OMPL is installed; CMake finds it when it configures.
 measureOmpl() {
   if [ ! -x build/bin/ompl_bench ]; then
@@ -104,15 +117,17 @@ tabulateBench() {
     >"$benchFolder/tables.md"
   {
     printf '# What was measured\n\n%s\n\n![Speed and quality](bench.svg)\n\n' "$(benchMachine)"
-    cat "$benchFolder/tables.md"
+    cat "$benchFolder/tables.md" "$benchFolder/similarity.md"
   } >"$benchFolder/bench.md"
 }
 
 runBench() {
   readBenchOptions "$@"
   setupBuild
+  installPackages "${benchPackages[@]}"
   findMaps
   buildPrograms
+  cmake --preset release -DSTRIDEGRAPH_BENCH=ON --log-level=WARNING >/dev/null
   buildTree release bench_programs
   buildDefaultLibrary
   buildModule
@@ -124,6 +139,7 @@ runBench() {
   measureNatively "$maps" "${graphs[@]}"
   measureOmpl "$maps"
   measureInNode "$maps" "${graphs[@]}"
+  measureSimilarity
   measureGrowth
   tabulateBench
   if [ "$benchDocs" = yes ]; then
