@@ -8,7 +8,7 @@
 #include "figures/figure.h"
 #include "files.h"
 #include "graph/sgraph_file.h"
-#include "scene/scene_json.h"
+#include "scene_folder.h"
 
 namespace stridegraph::tools {
 namespace {
@@ -20,27 +20,6 @@ struct FiguresArguments {
   std::vector<std::string> folders;
 };
 
-Result<std::vector<Scene>> readScenes(const std::string& folder) {
-  std::error_code failed;
-  std::vector<std::string> paths;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, failed)) {
-    if (entry.path().extension() == ".json") paths.push_back(entry.path().string());
-  }
-  if (failed)
-    return fail(ErrorCode::kFile,
-                fmt::format("{}: found {}, expected a folder of scenes", folder, failed.message()));
-  std::sort(paths.begin(), paths.end());
-  std::vector<Scene> scenes;
-  for (const std::string& path : paths) {
-    auto text = readFile(path);
-    if (!text) return fail(std::move(text));
-    auto scene = readSceneJson(*text, path);
-    if (!scene) return fail(std::move(scene));
-    scenes.push_back(std::move(*scene));
-  }
-  return scenes;
-}
-
 Result<figures::FigureInputs> readInputs(const FiguresArguments& arguments) {
   auto text = readFile(arguments.graphPath);
   if (!text) return fail(std::move(text));
@@ -49,10 +28,12 @@ Result<figures::FigureInputs> readInputs(const FiguresArguments& arguments) {
     library.error().place.file = arguments.graphPath;
     return fail(std::move(library));
   }
-  auto scenes = readScenes(arguments.scenesFolder);
-  if (!scenes) return fail(std::move(scenes));
+  auto files = readSceneFolder(arguments.scenesFolder);
+  if (!files) return fail(std::move(files));
+  std::vector<Scene> scenes;
+  for (SceneFile& file : *files) scenes.push_back(std::move(file.scene));
   auto shared = std::make_shared<const MotionLibrary>(std::move(*library));
-  return figures::FigureInputs{std::make_shared<const WalkPlanner>(std::move(shared)), std::move(*scenes)};
+  return figures::FigureInputs{std::make_shared<const WalkPlanner>(std::move(shared)), std::move(scenes)};
 }
 
 /// What lies in a folder within the one that is written to.
@@ -79,10 +60,7 @@ Result<figures::FigureFolder> lookInto(const FiguresArguments& arguments, const 
 Result<std::size_t> writeFigures(const FiguresArguments& arguments) {
   auto inputs = readInputs(arguments);
   if (!inputs) return fail(std::move(inputs));
-  std::error_code failed;
-  std::filesystem::create_directories(arguments.folder, failed);
-  if (failed)
-    return fail(ErrorCode::kFile, fmt::format("{}: cannot be made: {}", arguments.folder, failed.message()));
+  if (auto made = makeFolder(arguments.folder); !made) return fail(std::move(made));
   const std::vector<figures::FigureSection> sections = figures::makeFigures(*inputs);
   std::size_t count = 0;
   for (const figures::FigureSection& section : sections) {

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cstdio>
 
 #include "commands.h"
@@ -10,6 +9,7 @@
 #include "motion/glb_writer.h"
 #include "scene/scene_json.h"
 #include "walk/plan.h"
+#include "wall_clock.h"
 
 namespace stridegraph::tools {
 namespace {
@@ -27,11 +27,6 @@ struct PlanArguments {
   bool rawFeet = false;
   PlanOptions options;
 };
-
-double millisecondsNow() {
-  using Milliseconds = std::chrono::duration<double, std::milli>;
-  return Milliseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 Result<Plan> makePlan(const PlanArguments& arguments, std::shared_ptr<const MotionLibrary>& library) {
   auto graphText = readFile(arguments.graphPath);
@@ -110,7 +105,7 @@ void addPlanCommand(CLI::App& program, int& exitCode) {
       ->check(CLI::IsMember({"prm", "rrt-connect"}))
       ->capture_default_str();
   command->add_option("--search", arguments->search)
-      ->check(CLI::IsMember({"guided", "thesis"}))
+      ->check(CLI::IsMember({"guided", "thesis", "thesis-checked"}))
       ->capture_default_str();
   command
       ->add_option("--budget-ms", arguments->options.budgetMilliseconds,

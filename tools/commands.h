@@ -18,5 +18,6 @@ void addInfoCommand(CLI::App& program, int& exitCode);
 void addPlanCommand(CLI::App& program, int& exitCode);
 void addGaitCommand(CLI::App& program, int& exitCode);
 void addFiguresCommand(CLI::App& program, int& exitCode);
+void addBenchCommand(CLI::App& program, int& exitCode);
 
 }  // namespace stridegraph::tools

@@ -15,6 +15,7 @@ int main(int argc, char** argv) {
   addPlanCommand(program, exitCode);
   addGaitCommand(program, exitCode);
   addFiguresCommand(program, exitCode);
+  addBenchCommand(program, exitCode);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

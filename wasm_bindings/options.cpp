@@ -52,10 +52,6 @@ void readKind(OptionReader& reader, const char* member, std::optional<Kind> (*fi
   }
 }
 
-std::string eitherName(std::string_view one, std::string_view other) {
-  return fmt::format("{} or {}", one, other);
-}
-
 /// A library that is appended to keeps its settings.
 void refuseSettingsBesideAppend(OptionReader& reader) {
   if (!reader.isGiven("append")) return;
@@ -80,8 +76,10 @@ Result<PlanOptions> readPlanOptions(const val& options) {
   read.subgoalSpacingMetres = reader.number("subgoalSpacing").value_or(read.subgoalSpacingMetres);
   read.budgetMilliseconds = reader.number("budgetMs").value_or(read.budgetMilliseconds);
   const std::string planners =
-      eitherName(plannerName(PlannerKind::kPrm), plannerName(PlannerKind::kRrtConnect));
-  const std::string searches = eitherName(searchName(SearchKind::kGuided), searchName(SearchKind::kThesis));
+      fmt::format("{} or {}", plannerName(PlannerKind::kPrm), plannerName(PlannerKind::kRrtConnect));
+  const std::string searches =
+      fmt::format("{}, {} or {}", searchName(SearchKind::kGuided), searchName(SearchKind::kThesis),
+                  searchName(SearchKind::kThesisChecked));
   readKind(reader, "planner", plannerFromName, planners.c_str(), read.planner);
   readKind(reader, "search", searchFromName, searches.c_str(), read.search);
   if (Result<void> checked = reader.check(); !checked) return fail(std::move(checked));

@@ -63,7 +63,8 @@ export interface PlanOptions {
   /** Pin planted feet; true when missing, false leaves feet as captured and blended. */
   footCleanup?: boolean
   planner?: 'prm' | 'rrt-connect'
-  search?: 'guided' | 'thesis'
+  /** thesis-checked leaves out edges that collide; the thesis as printed does not look at obstacles. */
+  search?: 'guided' | 'thesis' | 'thesis-checked'
   /** Metres between subgoals of the thesis search, 0.2..20; 2 when missing. */
   subgoalSpacing?: number
   /** Milliseconds for the motion search; 0 or missing means no limit. */
@@ -278,7 +279,7 @@ export interface AsyncBuild {
 
 export interface LinkOptions {
   /** Name of the motion search; guided when missing. */
-  search?: 'guided' | 'thesis'
+  search?: 'guided' | 'thesis' | 'thesis-checked'
   /** LibraryInfo.hash of the library it was planned with. */
   libraryHash?: string
 }

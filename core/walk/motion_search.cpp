@@ -6,18 +6,27 @@
 namespace stridegraph {
 
 std::string_view searchName(SearchKind search) {
-  return search == SearchKind::kGuided ? "guided" : "thesis";
+  switch (search) {
+    case SearchKind::kGuided:
+      return "guided";
+    case SearchKind::kThesis:
+      return "thesis";
+    case SearchKind::kThesisChecked:
+      return "thesis-checked";
+  }
+  return "unknown";
 }
 
 std::optional<SearchKind> searchFromName(std::string_view name) {
-  for (const SearchKind kind : {SearchKind::kGuided, SearchKind::kThesis}) {
+  for (const SearchKind kind : kAllSearchKinds) {
     if (searchName(kind) == name) return kind;
   }
   return std::nullopt;
 }
 
 MotionResult searchMotion(SearchKind kind, const MotionQuery& query) {
-  return kind == SearchKind::kGuided ? guidedSearch(query) : thesisSearch(query);
+  if (kind == SearchKind::kGuided) return guidedSearch(query);
+  return thesisSearch(query, {.checkCollisions = kind == SearchKind::kThesisChecked});
 }
 
 }  // namespace stridegraph

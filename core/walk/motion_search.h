@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -16,10 +17,14 @@
 
 namespace stridegraph {
 
-/// Which search finds the motion: `guided` is ours, `thesis` the best-first search of section 5.5 as printed.
-enum class SearchKind { kGuided, kThesis };
+/// Which search finds the motion: `guided` is ours, `thesis` the best-first search of section 5.5 as printed,
+/// `thesis-checked` the same but for edges that collide, which it leaves out.
+enum class SearchKind { kGuided, kThesis, kThesisChecked };
 
-std::string_view searchName(SearchKind search);  ///< "guided", "thesis"
+inline constexpr std::array kAllSearchKinds = {SearchKind::kGuided, SearchKind::kThesis,
+                                               SearchKind::kThesisChecked};
+
+std::string_view searchName(SearchKind search);  ///< "guided", "thesis", "thesis-checked"
 std::optional<SearchKind> searchFromName(std::string_view name);
 
 /// Where a walk that is under way goes on: at a decision node, at a placement, at a time.

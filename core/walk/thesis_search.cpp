@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "math/random.h"
+#include "walk/piece_motion.h"
 #include "walk/search_heap.h"
 
 namespace stridegraph {
@@ -77,6 +78,7 @@ class Traversal {
       const State state = states_[id];
       for (std::uint32_t e = graph.firstEdge[state.node]; e < graph.firstEdge[state.node + 1]; ++e) {
         const EdgeIndex edge(e);
+        if (params_.checkCollisions && !isFree(state.placement, edge)) continue;
         const auto next = static_cast<std::uint32_t>(states_.size());
         states_.push_back(
             {graph.edges[e].to.value, state.placement * query_.tables.graph.endOf(edge), id, edge});
@@ -87,6 +89,19 @@ class Traversal {
     }
     result_.status = SearchStatus::kNoMotion;
     return kNoParent;
+  }
+
+  /// Tracks are made when an edge is first looked at: most of a library never is.
+  bool isFree(const FloorTransform& from, EdgeIndex edge) {
+    tracks_.resize(query_.library.graph.edges.size());
+    std::vector<FloorTransform>& track = tracks_[edge.value];
+    if (track.empty()) {
+      const MotionGraph& graph = query_.library.graph;
+      track = pieceTrack(query_.library, pieceOf(graph, graph.edges[edge.value]));
+    }
+    return std::all_of(track.begin(), track.end(), [&](const FloorTransform& placement) {
+      return query_.plan.isFree(from * placement.translation);
+    });
   }
 
   bool budgetSpent() const {
@@ -113,6 +128,7 @@ class Traversal {
   const MotionQuery& query_;
   const ThesisSearchParams& params_;
   std::vector<State> states_;
+  std::vector<std::vector<FloorTransform>> tracks_;  ///< Of edges, relative to where they begin.
   MotionResult result_;
 };
 

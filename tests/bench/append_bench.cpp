@@ -3,7 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include "graph/library_builder.h"
-#include "varied_clips.h"
+#include "bench/varied_clips.h"
 
 namespace stridegraph::bench {
 namespace {

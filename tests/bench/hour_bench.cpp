@@ -7,7 +7,7 @@
 
 #include "graph/library_builder.h"
 #include "graph/sgraph_file.h"
-#include "varied_clips.h"
+#include "bench/varied_clips.h"
 
 int main(int argumentCount, char** arguments) {
   using namespace stridegraph;

@@ -16,7 +16,7 @@
 #include "graph/transition_scan.h"
 #include "matrix_product.h"
 #include "motion/bvh_writer.h"
-#include "varied_clips.h"
+#include "bench/varied_clips.h"
 
 namespace stridegraph::bench {
 namespace {

@@ -1,4 +1,4 @@
-// The native program and the module choose the same edges on every map, for every library at hand.
+// The native program and the module choose the same edges on every map and in random rooms, for every library at hand.
 import assert from 'node:assert/strict'
 import { execFile } from 'node:child_process'
 import { existsSync, readdirSync } from 'node:fs'
@@ -7,6 +7,7 @@ import { tmpdir } from 'node:os'
 import { basename, join } from 'node:path'
 import { after, before, describe, it } from 'node:test'
 import { fileURLToPath } from 'node:url'
+import { edgesHash } from '../../tools/bench/edges_hash.mjs'
 import { engine, root } from './support/engine.mjs'
 
 const program = fileURLToPath(new URL('build/bin/stridegraph', root))
@@ -20,6 +21,17 @@ const libraries = [new URL('build/library/default.sgraph', root), ...captures].f
   existsSync(url),
 )
 const seeds = [1, 2]
+
+const randomRooms = 40
+
+/** Runs the program; resolves to its exit status, 0 (done) or 1 (refused). */
+async function runProgram(...words) {
+  const status = await new Promise((done) => {
+    execFile(program, words, (reason) => done(reason ? reason.code : 0))
+  })
+  assert.ok(status === 0 || status === 1, `the program ended with ${status}`)
+  return status
+}
 
 /** The program's report of a plan; it exits with 1 when there is no way, and still writes one. */
 async function nativeReport(folder, library, map, seed) {
@@ -37,10 +49,7 @@ async function nativeReport(folder, library, map, seed) {
     '--report',
     report,
   ]
-  const status = await new Promise((done) => {
-    execFile(program, ['plan', ...plan], (reason) => done(reason ? reason.code : 0))
-  })
-  assert.ok(status === 0 || status === 1, `the program ended with ${status}`)
+  const status = await runProgram('plan', ...plan)
   return {
     report: JSON.parse(await readFile(report, 'utf8')),
     bvh: status === 0 ? await readFile(walk, 'utf8') : '',
@@ -73,6 +82,24 @@ for (const libraryUrl of libraries) {
         }
       })
     }
+
+    it('choose the same edges in random rooms', async () => {
+      const rooms = join(folder, 'rooms')
+      const runs = join(folder, 'runs.json')
+      const random = ['--random', '1', '--rooms', `${randomRooms}`, '--write-scenes', rooms]
+      await runProgram('bench', '--graph', fileURLToPath(libraryUrl), ...random, '--json', runs)
+      const natives = JSON.parse(await readFile(runs, 'utf8')).runs
+      assert.equal(natives.length, randomRooms)
+      for (const native of natives) {
+        const scene = await readFile(join(rooms, `${native.room}.json`), 'utf8')
+        const { status, report } = library.plan(scene)
+        assert.equal(status, native.status, native.room)
+        assert.equal(edgesHash(report.edges), native.edges, native.room)
+        assert.equal(report.expansions, native.expansions, native.room)
+      }
+      const edges = new Set(natives.map((native) => native.edges))
+      assert.ok(edges.size > randomRooms / 2, 'rooms lead to different walks')
+    })
   })
 }
 

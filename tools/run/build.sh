@@ -34,12 +34,23 @@ buildDefaultLibrary() {
   fi
 }
 
+buildModule() {
+  note "building the module"
+  buildTree wasm stridegraph_javascript
+}
+
+# buildCapturedLibrary NAME FILE [OPTION...]: from the clips in a folder of the captures.
+buildCapturedLibrary() {
+  note "building $(basename "$2" .sgraph) from captured clips"
+  mkdir -p "$(dirname "$2")"
+  build/bin/stridegraph build "$STRIDEGRAPH_MOCAP/$1"/*.bvh -o "$2" "${@:3}"
+}
+
 # The page takes in the module and the default library, so it comes last.
 buildAll() {
   buildPrograms
   buildDefaultLibrary
-  note "building the module"
-  buildTree wasm stridegraph_javascript
+  buildModule
   note "building the page"
   buildTree wasm site
 }

@@ -21,10 +21,8 @@ drawGaitFigures() {
 # Pictures that need captures: libraries built from them, and the gait model against them.
 drawCapturedFigures() {
   local name
-  mkdir -p build/captures
   for name in cmu16_walk accad_male1_walk; do
-    note "building a library from $name"
-    build/bin/stridegraph build "$STRIDEGRAPH_MOCAP/$name"/*.bvh -o "build/captures/$name.sgraph"
+    buildCapturedLibrary "$name" "build/captures/$name.sgraph"
     drawFigures "build/captures/$name.sgraph" "build/figures/$name"
   done
   drawGaitFigures

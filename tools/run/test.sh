@@ -111,11 +111,9 @@ testCaptures() {
     return
   fi
   local referee=$STRIDEGRAPH_MOCAP/../tools/check_maps.py name
-  mkdir -p build/captures
   for name in cmu16_walk accad_male1_walk; do
-    note "building a library from $name"
-    build/bin/stridegraph build "$STRIDEGRAPH_MOCAP/$name"/*.bvh -o "build/captures/$name.sgraph" \
-      --report "build/captures/$name.json" || recordOutcome "build $name" 1
+    buildCapturedLibrary "$name" "build/captures/$name.sgraph" --report "build/captures/$name.json" ||
+      recordOutcome "build $name" 1
   done
   if [ ! -f "$referee" ]; then
     note "skipped: judging walks on maps, since there is no $referee"

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <initializer_list>
 #include <string>
 
 #include "state/editor.h"
@@ -126,18 +126,19 @@ void plannerFields(const AppState& state, const Palette& palette, Commands& comm
     scene.seed = state.scene.seed + 1;
     commands.push_back(EditScene{"Change seed", scene});
   }
-  const auto choice = [&](const char* label, int current, std::array<const char*, 2> names) {
+  const auto choice = [&](const char* label, int current, std::initializer_list<const char*> names) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(label);
     ImGui::SameLine(92.0F);
     ImGui::SetNextItemWidth(-1.0F);
     ImGui::PushID(label);
-    ImGui::Combo("##choice", &current, names.data(), static_cast<int>(names.size()));
+    ImGui::Combo("##choice", &current, names.begin(), static_cast<int>(names.size()));
     ImGui::PopID();
     return current;
   };
   const int planner = choice("Planner", static_cast<int>(settings.planner), {"Roadmap (PRM)", "RRT-Connect"});
-  const int search = choice("Search", static_cast<int>(settings.search), {"Guided", "Thesis"});
+  const int search =
+      choice("Search", static_cast<int>(settings.search), {"Guided", "Thesis", "Thesis, checked"});
   settings.planner = static_cast<PlannerKind>(planner);
   settings.search = static_cast<SearchKind>(search);
   if (settings.planner != state.settings.planner || settings.search != state.settings.search) {

@@ -1,4 +1,4 @@
-#include "varied_clips.h"
+#include "bench/varied_clips.h"
 
 #include <fmt/format.h>
 
