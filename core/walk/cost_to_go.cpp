@@ -18,7 +18,7 @@ constexpr double kNearGoalMetres = 1.2;
 
 /// What turning on the way costs beyond the way itself. Measured as what makes estimates in rooms with many
 /// corners as good as in open ones, for captured and synthesised libraries alike (0.2 to 0.3).
-constexpr double kTurnMetresPerRadian = 0.25;
+constexpr double kTurnMetresPerRadian = 0.2;
 
 }  // namespace
 

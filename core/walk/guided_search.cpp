@@ -43,7 +43,7 @@ std::vector<Heading> startHeadings(const MotionQuery& query, const GuidedSearchP
 /// Stages in the order in which they are tried while budgets run out; weight, factor on transitions, cells,
 /// headings, turned start, expansions, and more for each metre.
 constexpr std::array<GuidedStage, 3> kStages = {
-    {{1.05, 1.0, 0.2, 24, false, 3'000, 40.0}, {1.1, 1.0, 0.2, 24, false, 6'000, 100.0}, {}}};
+    {{1.05, 1.0, 0.2, 24, false, 2'000, 30.0}, {1.1, 1.0, 0.2, 24, false, 5'000, 80.0}, {}}};
 /// The same where others move: what they cost is not in the estimate, so little greed finds nothing soon.
 constexpr std::array<GuidedStage, 3> kStagesAmongMovers = {{{1.2, 1.0, 0.2, 24, false, 4'000, 60.0},
                                                             {1.5, 1.0, 0.2, 24, false, 15'000, 200.0},

@@ -2,8 +2,8 @@
 // library.
 #include <benchmark/benchmark.h>
 
-#include "graph/library_builder.h"
 #include "bench/varied_clips.h"
+#include "graph/library_builder.h"
 
 namespace stridegraph::bench {
 namespace {

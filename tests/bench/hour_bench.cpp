@@ -5,9 +5,9 @@
 #include <chrono>
 #include <cstdlib>
 
+#include "bench/varied_clips.h"
 #include "graph/library_builder.h"
 #include "graph/sgraph_file.h"
-#include "bench/varied_clips.h"
 
 int main(int argumentCount, char** arguments) {
   using namespace stridegraph;

@@ -11,12 +11,12 @@
 #include <string_view>
 
 #include "base/check.h"
+#include "bench/varied_clips.h"
 #include "fastest.h"
 #include "graph/pose_distance.h"
 #include "graph/transition_scan.h"
 #include "matrix_product.h"
 #include "motion/bvh_writer.h"
-#include "bench/varied_clips.h"
 
 namespace stridegraph::bench {
 namespace {

@@ -92,7 +92,9 @@ describe('refusals of scenes', () => {
     refuses('invalid_argument', /adius/, () => library.plan(room, { radius: 50 }))
     refuses('invalid_argument', /oal/, () => library.plan(room, { goalRadius: 0 }))
     refuses('invalid_argument', /prm or rrt-connect/, () => library.plan(room, { planner: 'a-star' }))
-    refuses('invalid_argument', /guided, thesis or thesis-checked/, () => library.plan(room, { search: 'lucky' }))
+    refuses('invalid_argument', /guided, thesis or thesis-checked/, () =>
+      library.plan(room, { search: 'lucky' }),
+    )
     refuses('invalid_argument', /found "goal_radius", expected one of/, () =>
       library.plan(room, { goal_radius: 1 }),
     )
