@@ -111,6 +111,10 @@ void addPlanCommand(CLI::App& program, int& exitCode) {
       ->add_option("--budget-ms", arguments->options.budgetMilliseconds,
                    "Time for the motion search; 0: no limit")
       ->capture_default_str();
+  command
+      ->add_option("--improve", arguments->options.improvementExpansions,
+                   "States to look at beyond the first walk's, to find a better one: 20000 take 20 to 50 ms")
+      ->capture_default_str();
   command->add_flag("--raw-feet", arguments->rawFeet,
                     "Leave feet as blended, to compare: no pins, no lifting");
   command->add_option("--report", arguments->reportPath, "Write the report (JSON)");

@@ -1,6 +1,7 @@
 #include "library_handle.h"
 
 #include <emscripten/emscripten.h>
+#include <fmt/format.h>
 
 #include <memory>
 #include <utility>
@@ -26,15 +27,37 @@ val LibraryHandle::open(const val& bytes) {
   return succeed(val(std::make_shared<LibraryHandle>(*std::move(library))));
 }
 
-val LibraryHandle::plan(const std::string& scene, const val& options) const {
+val LibraryHandle::plan(const std::string& scene, const val& options) {
   const Result<Scene> room = readSceneJson(scene);
   if (!room) return refuse(room.error());
   Result<PlanOptions> read = readPlanOptions(options);
   if (!read) return refuse(read.error());
   read->clock = [] { return emscripten_get_now(); };
-  const Result<Plan> plan = planner_.plan(*room, *read);
+  return answer(planner_.plan(*room, *read));
+}
+
+val LibraryHandle::replan(const std::string& scene, double atSeconds, const val& options) {
+  const Result<Scene> room = readSceneJson(scene);
+  if (!room) return refuse(room.error());
+  Result<PlanOptions> read = readPlanOptions(options);
+  if (!read) return refuse(read.error());
+  read->clock = [] { return emscripten_get_now(); };
+  if (!underWay_)
+    return refuse({ErrorCode::kInvalidArgument, "replan: found no walk under way, expected one planned before"});
+  if (!(atSeconds >= 0.0 && atSeconds <= underWay_->report.durationSeconds)) {
+    return refuse({ErrorCode::kInvalidArgument,
+                   fmt::format("replan: atSeconds is {}, expected 0 to the walk's {:.2f}", atSeconds,
+                               underWay_->report.durationSeconds)});
+  }
+  const double frame = atSeconds * underWay_->walk.framesPerSecond;
+  return answer(planner_.replan(*underWay_, static_cast<std::size_t>(frame), *room, *read));
+}
+
+val LibraryHandle::answer(Result<Plan> plan) {
   if (!plan) return refuse(plan.error());
-  return succeed(planValue(planner_.library().skeleton, *plan));
+  val value = planValue(planner_.library().skeleton, *plan);
+  if (plan->report.status == PlanStatus::kArrived) underWay_ = *std::move(plan);
+  return succeed(value);
 }
 
 val LibraryHandle::info() const {

@@ -2,6 +2,7 @@
 
 #include <emscripten/val.h>
 
+#include <optional>
 #include <string>
 
 #include "graph/library.h"
@@ -18,7 +19,9 @@ class LibraryHandle {
   static emscripten::val open(const emscripten::val& bytes);
 
   /// {value: see planValue}. The scene is JSON text.
-  emscripten::val plan(const std::string& scene, const emscripten::val& options) const;
+  emscripten::val plan(const std::string& scene, const emscripten::val& options);
+  /// The same for the last walk that arrived, which shows that second and goes on in the scene as it is now.
+  emscripten::val replan(const std::string& scene, double atSeconds, const emscripten::val& options);
   /// Figures and names, see LibraryInfo in stridegraph.d.ts.
   emscripten::val info() const;
   /// See skeletonValue.
@@ -27,7 +30,10 @@ class LibraryHandle {
   emscripten::val toBytes() const;
 
  private:
+  emscripten::val answer(Result<Plan> plan);
+
   WalkPlanner planner_;
+  std::optional<Plan> underWay_;  ///< The last plan that arrived.
 };
 
 }  // namespace stridegraph::bindings

@@ -84,6 +84,7 @@ EMSCRIPTEN_BINDINGS(stridegraph) {
       .smart_ptr<std::shared_ptr<LibraryHandle>>("LibraryPointer")
       .class_function("open", &LibraryHandle::open)
       .function("plan", &LibraryHandle::plan)
+      .function("replan", &LibraryHandle::replan)
       .function("info", &LibraryHandle::info)
       .function("skeleton", &LibraryHandle::skeleton)
       .function("toBytes", &LibraryHandle::toBytes);

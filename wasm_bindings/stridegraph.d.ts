@@ -67,7 +67,11 @@ export interface PlanOptions {
   search?: 'guided' | 'thesis' | 'thesis-checked'
   /** Metres between subgoals of the thesis search, 0.2..20; 2 when missing. */
   subgoalSpacing?: number
-  /** Milliseconds for the motion search; 0 or missing means no limit. */
+  /** How many states the guided search looks at beyond those of the first walk to find better ones; 0 when missing.
+   * 20,000 take some 20 to 50 ms. The same number gives the same walk everywhere. */
+  improve?: number
+  /** Milliseconds for the motion search; 0 or missing means no limit. A walk that was found by then is improved
+   * no further. */
   budgetMs?: number
 }
 
@@ -216,6 +220,10 @@ export interface Library {
   readonly buildReport?: BuildReport
   /** Plans a walk. That there is no way is a status, not an error. The scene may be its JSON text. */
   plan(scene: Scene | string, options?: PlanOptions): Walk
+  /** Plans onward for the last walk that arrived, while it plays: it stays as it was until `atSeconds`, and goes
+   * on from that pose in the scene as it is now. A walk that still holds is kept. A walk that does not arrive
+   * leaves the one under way as it was. */
+  replan(scene: Scene | string, atSeconds: number, options?: PlanOptions): Walk
   /** .sgraph bytes. */
   toBytes(): Uint8Array
   /** Frees the library; walks planned with it stay. May be called twice. */

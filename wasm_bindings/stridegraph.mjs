@@ -153,6 +153,13 @@ class Library {
     return new Walk(this.#module, structuredClone(this.#skeleton), plan)
   }
 
+  replan(scene, atSeconds, options) {
+    const raw = this.#handle.raw
+    if (typeof atSeconds !== 'number') refuse(this.#module, 'atSeconds', atSeconds, 'a number of seconds')
+    const plan = unpack(raw.replan(sceneTextOf(this.#module, scene), atSeconds, options))
+    return new Walk(this.#module, structuredClone(this.#skeleton), plan)
+  }
+
   toBytes() {
     return this.#handle.raw.toBytes()
   }

@@ -150,7 +150,8 @@ val skeletonValue(const Skeleton& skeleton, const BvhLayout& layout) {
 val planValue(const Skeleton& skeleton, const Plan& plan) {
   val value = val::object();
   value.set("status", std::string(planStatusName(plan.report.status)));
-  value.set("report", toJson(plan.report));
+  value.set("report", toJson(plan));
+  value.set("kept", plan.kept);
   value.set("fps", plan.walk.framesPerSecond);
   value.set("frames", static_cast<double>(plan.walk.frameCount()));
   value.set("rootPositions", copyOut<double>(rootPositionsOf(plan.walk)));

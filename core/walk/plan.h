@@ -37,6 +37,8 @@ struct PlanOptions {
   bool footCleanup = true;            ///< Pin planted feet (FootCleanup); false leaves them as blended.
   double subgoalSpacingMetres = 2.0;  ///< Of the thesis search (5.5), 0.2..20.
   double budgetMilliseconds = 0.0;    ///< For the motion search; 0 means no limit in time.
+  /// States looked at beyond those of the first walk, to find better ones (guidedSearch); the same number gives
+  /// the same walk everywhere.
   std::uint64_t improvementExpansions = 0;
   MillisecondClock clock;  ///< For timings and the budget.
 };
@@ -112,6 +114,8 @@ struct Plan {
   std::vector<Vec2> subgoals;
   MotionPath motion;                ///< What the walk plays; without steps unless arrived.
   std::vector<FloorTransform> way;  ///< Where the body stands at each frame of the walk.
+  Scene scene;                                 ///< What was planned for; of a further walker empty.
+  bool kept = false;                           ///< replan() left the walk as it was.
   std::vector<Plan> others;         ///< Walks of the scene's further walkers, in their order.
 };
 
@@ -130,8 +134,10 @@ class WalkPlanner {
   Result<Plan> plan(const Scene& scene, const PlanOptions& options = {}) const;
 
   /// Plans anew for a walk under way that shows this frame, and for its others: it stays as it is until then
-  /// and goes on in the scene as it is now, from the present pose. `current` has arrived, in a scene with as
-  /// many walkers.
+  /// and goes on in the scene as it is now, from the present pose (kept exactly: its steps, its way and its
+  /// frames). A walk that still holds is kept where no obstacle has gone, without another search, and also
+  /// where another would save less than 3 % of what is left to go. `current` has arrived, in a scene with as
+  /// many walkers; where a walker cannot turn off any more, its report says so.
   Result<Plan> replan(const Plan& current, std::size_t frame, const Scene& scene,
                       const PlanOptions& options = {}) const;
 

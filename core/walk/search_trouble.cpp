@@ -32,6 +32,12 @@ std::string nearestThing(const FloorPlan& plan, const Vec2& point) {
   return fmt::format("obstacle {} at ({:.1f}, {:.1f})", thing + 1, centre.x(), centre.y());
 }
 
+std::string nearestReached(const SearchTrouble& trouble, const FloorPlan& plan) {
+  return fmt::format("the nearest to the goal came to ({:.1f}, {:.1f}), {:.1f} m before it, beside {}",
+                     trouble.nearest.x(), trouble.nearest.y(), trouble.metresLeft,
+                     nearestThing(plan, trouble.nearest));
+}
+
 std::string explainNoMotion(const SearchTrouble& trouble, const FloorPlan& plan, const Vec2& start) {
   if (!trouble.begun && trouble.tooLate > 0)
     return "the goal is too far to be there in the time asked for: not even this library's fastest way "
@@ -42,11 +48,8 @@ std::string explainNoMotion(const SearchTrouble& trouble, const FloorPlan& plan,
         "every first step from the start at ({:.1f}, {:.1f}) touches {}: give it more room, or turn it",
         start.x(), start.y(), still ? nearestThing(plan, trouble.blocked) : "something that moves");
   }
-  std::string text = fmt::format(
-      "no walk that these clips can make leads through: the nearest to the goal came to ({:.1f}, {:.1f}), "
-      "{:.1f} m "
-      "before it, beside {}",
-      trouble.nearest.x(), trouble.nearest.y(), trouble.metresLeft, nearestThing(plan, trouble.nearest));
+  std::string text =
+      "no walk that these clips can make leads through: " + nearestReached(trouble, plan);
   if (trouble.tooLate > 0) text += "; other ways would have come too late";
   if (trouble.atTraffic > 0) text += "; others met something that moves";
   return text + "; more clips, tighter turns or a mirrored library would help";

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "scene/scene_json.h"
+#include "walk/keeping.h"
 #include "walk/plan.h"
 #include "walk/planning.h"
 
@@ -33,6 +34,16 @@ constexpr std::uint32_t kUnplannedFrames = 30;
 
 /// Orders of priority tried when a walker finds no way.
 constexpr std::size_t kOrders = 6;
+
+/// A walk that still holds is left for another only where that saves this share of what is left to go.
+constexpr double kWorthTurning = 0.03;
+
+/// The walk as it is, in another scene.
+Plan keptIn(const Scene& scene, Plan walk) {
+  walk.scene = scene;
+  walk.kept = true;
+  return walk;
+}
 
 std::vector<Vec2> placesOf(const Plan& plan) {
   std::vector<Vec2> places;
@@ -76,6 +87,7 @@ class Crowd {
       order.insert(order.begin(), *stuck);
     }
     Plan first = std::move(best.front());
+    first.scene = scene_;
     first.others.assign(std::make_move_iterator(best.begin() + 1), std::make_move_iterator(best.end()));
     return first;
   }
@@ -155,8 +167,13 @@ Result<Plan> WalkPlanner::replan(const Plan& current, std::size_t frame, const S
     return fail(ErrorCode::kInvalidArgument,
                 fmt::format("walkers: found {}, expected {} as in the walk under way", scene.walkers.size(),
                             current.others.size()));
+  const bool holds = allArrive(current) && stillHolds(current, frame, scene);
+  if (holds && nothingFreed(current, scene)) return keptIn(scene, current);
   const Prepared prepared{*library_, tables_, feet_, sources_};
-  return Crowd(prepared, scene, options, &current, frame).run();
+  Plan other = Crowd(prepared, scene, options, &current, frame).run();
+  const bool worthTurning =
+      allArrive(other) && metresLeft(other, frame) <= (1.0 - kWorthTurning) * metresLeft(current, frame);
+  return holds && !worthTurning ? keptIn(scene, current) : other;
 }
 
 }  // namespace stridegraph
