@@ -43,11 +43,12 @@ val LibraryHandle::replan(const std::string& scene, double atSeconds, const val&
   if (!read) return refuse(read.error());
   read->clock = [] { return emscripten_get_now(); };
   if (!underWay_)
-    return refuse({ErrorCode::kInvalidArgument, "replan: found no walk under way, expected one planned before"});
+    return refuse(
+        {ErrorCode::kInvalidArgument, "replan: found no walk under way, expected one planned before"});
   if (!(atSeconds >= 0.0 && atSeconds <= underWay_->report.durationSeconds)) {
-    return refuse({ErrorCode::kInvalidArgument,
-                   fmt::format("replan: atSeconds is {}, expected 0 to the walk's {:.2f}", atSeconds,
-                               underWay_->report.durationSeconds)});
+    return refuse(
+        {ErrorCode::kInvalidArgument, fmt::format("replan: atSeconds is {}, expected 0 to the walk's {:.2f}",
+                                                  atSeconds, underWay_->report.durationSeconds)});
   }
   const double frame = atSeconds * underWay_->walk.framesPerSecond;
   return answer(planner_.replan(*underWay_, static_cast<std::size_t>(frame), *room, *read));

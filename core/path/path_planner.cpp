@@ -14,6 +14,9 @@ namespace stridegraph {
 
 namespace {
 
+/// How often a roadmap of the whole room grows after one along the distance field has missed the way.
+constexpr int kGrowthsBesideField = 2;
+
 std::vector<Vec2> refined(const FloorPlan& plan, const std::vector<Vec2>& path, std::size_t rounds,
                           Random& random) {
   if (rounds == 0) return path;
@@ -73,8 +76,12 @@ PathResult planPath(const FloorPlan& plan, const Vec2& start, const Vec2& goal, 
     if (std::isfinite(field->metresToGoal(start))) result.field = std::move(field);
     if (result.field) sampled = planAlongField(plan, start, *result.field, random);
   }
-  if (planner == PlannerKind::kPrm && sampled.path.empty())
-    sampled = planByRoadmap(plan, start, goal, random, params);
+  if (planner == PlannerKind::kPrm && sampled.path.empty()) {
+    // Where nodes along the field miss the way, it is so narrow that trees find it sooner than many nodes do.
+    PathParams wholeRoom = params;
+    if (params.roadmapNodes == 0) wholeRoom.growths = std::min(params.growths, kGrowthsBesideField);
+    sampled = planByRoadmap(plan, start, goal, random, wholeRoom);
+  }
   // A roadmap that misses a narrow way is rescued by trees, which grow into it; the exact path takes seconds
   // where there are thousands of rectangles.
   if (sampled.path.empty()) {

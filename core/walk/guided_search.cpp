@@ -71,8 +71,10 @@ constexpr double kWorthMetres = 0.01;
 
 std::string explain(SearchStatus status, const SearchTrouble& trouble, const MotionQuery& query) {
   if (status != SearchStatus::kBudgetSpent) return explainNoMotion(trouble, query.plan, query.start.position);
-  return fmt::format("the search used up its budget before a walk was found; {}: try another seed, a larger "
-                     "budget or more clips", nearestReached(trouble, query.plan));
+  return fmt::format(
+      "the search used up its budget before a walk was found; {}: try another seed, a larger "
+      "budget or more clips",
+      nearestReached(trouble, query.plan));
 }
 
 /// A field of the query's own where none is known, or where areas make some metres count for more.

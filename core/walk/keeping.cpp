@@ -58,11 +58,10 @@ bool stillHolds(const Plan& walk, std::size_t frame, const Scene& scene) {
 }
 
 bool nothingFreed(const Plan& walk, const Scene& scene) {
-  return std::all_of(
-      walk.scene.obstacles.begin(), walk.scene.obstacles.end(), [&](const Rectangle& before) {
-        return std::any_of(scene.obstacles.begin(), scene.obstacles.end(),
-                           [&](const Rectangle& now) { return sameRectangle(before, now); });
-      });
+  return std::all_of(walk.scene.obstacles.begin(), walk.scene.obstacles.end(), [&](const Rectangle& before) {
+    return std::any_of(scene.obstacles.begin(), scene.obstacles.end(),
+                       [&](const Rectangle& now) { return sameRectangle(before, now); });
+  });
 }
 
 double metresLeft(const Plan& walk, std::size_t frame) {

@@ -6,12 +6,12 @@
 
 namespace stridegraph {
 
-/// Whether a walk under way, as it goes on from a frame, touches nothing of an edited scene and leads where that
-/// asks: the same goals, constraints and movers, and room for its disc all along.
+/// Whether a walk under way, as it goes on from a frame, touches nothing of an edited scene and leads where
+/// that asks: the same goals, constraints and movers, and room for its disc all along.
 bool stillHolds(const Plan& walk, std::size_t frame, const Scene& scene);
 
-/// Whether every obstacle that the walk was planned around still stands where it stood: then no shorter way can
-/// have opened.
+/// Whether every obstacle that the walk was planned around still stands where it stood: then no shorter way
+/// can have opened.
 bool nothingFreed(const Plan& walk, const Scene& scene);
 
 /// What all walkers of a plan have still to go from a frame on, metres.

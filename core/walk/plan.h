@@ -37,8 +37,8 @@ struct PlanOptions {
   bool footCleanup = true;            ///< Pin planted feet (FootCleanup); false leaves them as blended.
   double subgoalSpacingMetres = 2.0;  ///< Of the thesis search (5.5), 0.2..20.
   double budgetMilliseconds = 0.0;    ///< For the motion search; 0 means no limit in time.
-  /// States looked at beyond those of the first walk, to find better ones (guidedSearch); the same number gives
-  /// the same walk everywhere.
+  /// States looked at beyond those of the first walk, to find better ones (guidedSearch); the same number
+  /// gives the same walk everywhere.
   std::uint64_t improvementExpansions = 0;
   MillisecondClock clock;  ///< For timings and the budget.
 };
@@ -114,8 +114,8 @@ struct Plan {
   std::vector<Vec2> subgoals;
   MotionPath motion;                ///< What the walk plays; without steps unless arrived.
   std::vector<FloorTransform> way;  ///< Where the body stands at each frame of the walk.
-  Scene scene;                                 ///< What was planned for; of a further walker empty.
-  bool kept = false;                           ///< replan() left the walk as it was.
+  Scene scene;                      ///< What was planned for; of a further walker empty.
+  bool kept = false;                ///< replan() left the walk as it was.
   std::vector<Plan> others;         ///< Walks of the scene's further walkers, in their order.
 };
 

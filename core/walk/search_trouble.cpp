@@ -48,8 +48,7 @@ std::string explainNoMotion(const SearchTrouble& trouble, const FloorPlan& plan,
         "every first step from the start at ({:.1f}, {:.1f}) touches {}: give it more room, or turn it",
         start.x(), start.y(), still ? nearestThing(plan, trouble.blocked) : "something that moves");
   }
-  std::string text =
-      "no walk that these clips can make leads through: " + nearestReached(trouble, plan);
+  std::string text = "no walk that these clips can make leads through: " + nearestReached(trouble, plan);
   if (trouble.tooLate > 0) text += "; other ways would have come too late";
   if (trouble.atTraffic > 0) text += "; others met something that moves";
   return text + "; more clips, tighter turns or a mirrored library would help";

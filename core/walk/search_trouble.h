@@ -24,8 +24,8 @@ struct SearchTrouble {
 /// What is nearest to a place: "obstacle 3 at (4.0, 5.5)", counted from 1, or "the room's wall".
 std::string nearestThing(const FloorPlan& plan, const Vec2& point);
 
-/// Where a search came nearest to the goal: "the nearest to the goal came to (3.0, 4.5), 2.1 m before it, beside
-/// the room's wall".
+/// Where a search came nearest to the goal: "the nearest to the goal came to (3.0, 4.5), 2.1 m before it,
+/// beside the room's wall".
 std::string nearestReached(const SearchTrouble& trouble, const FloorPlan& plan);
 
 /// A sentence for people: where the search got stuck, and at what.
