@@ -156,7 +156,10 @@ describe('plan', () => {
 
   it('refuses constraints that no walk can keep to', () => {
     const constraints = { min_speed_m_s: 2, max_speed_m_s: 1 }
-    assert.match(refusalOf(() => library.plan({ ...smallRoom(), constraints })).message, /min_speed_m_s: found 2/)
+    assert.match(
+      refusalOf(() => library.plan({ ...smallRoom(), constraints })).message,
+      /min_speed_m_s: found 2/,
+    )
   })
 
   it('gives values that a worker may post', () => {
