@@ -31,6 +31,8 @@ const KEYS = [
   'y',
   'z',
   'f',
+  'm',
+  'w',
 ]
 /** With Control or Command held, these are the app's; everything else is the browser's. */
 const SHORTCUTS = new Set(['z', 'y', 'a', 'c', 'v', 'x'])

@@ -1,6 +1,9 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
 
 #include "commands.h"
 #include "files.h"
@@ -49,6 +52,41 @@ Result<void> writeWalk(const std::string& path, const MotionLibrary& library, co
   return writeFile(path, writeBvh(library.skeleton, library.layout, walk));
 }
 
+/// WALK.bvh for the first walker, WALK_2.bvh, WALK_3.bvh ... for the others.
+std::string walkPathOf(const std::string& path, std::size_t walker) {
+  if (walker == 0) return path;
+  const std::size_t ending = path.rfind('.');
+  return fmt::format("{}_{}{}", path.substr(0, ending), walker + 1, path.substr(ending));
+}
+
+/// The first walker's plan, then those of the others.
+std::vector<const Plan*> allOf(const Plan& plan) {
+  std::vector<const Plan*> all = {&plan};
+  for (const Plan& other : plan.others) all.push_back(&other);
+  return all;
+}
+
+bool arrived(const Plan& plan) {
+  return plan.report.status == PlanStatus::kArrived;
+}
+
+Result<void> writeFiles(const PlanArguments& arguments, const MotionLibrary& library, const Plan& plan) {
+  const std::vector<const Plan*> all = allOf(plan);
+  for (std::size_t walker = 0; walker < all.size(); ++walker) {
+    if (!arrived(*all[walker])) continue;
+    Result<void> written = writeWalk(walkPathOf(arguments.walkPath, walker), library, all[walker]->walk);
+    if (!written) return written;
+  }
+  if (arguments.reportPath.empty()) return {};
+  return writeFile(arguments.reportPath, toJson(plan) + "\n");
+}
+
+void printWalk(const std::string& path, const PlanReport& report) {
+  fmt::print("{}: {} frames, {:.1f} s, {:.2f} m walked along a path of {:.2f} m, {} transitions, {:.1f} ms\n",
+             path, report.frames, report.durationSeconds, report.motionLengthMetres, report.pathLengthMetres,
+             report.transitions, report.totalMilliseconds);
+}
+
 int runPlan(const PlanArguments& arguments) {
   std::shared_ptr<const MotionLibrary> library;
   const Result<Plan> plan = makePlan(arguments, library);
@@ -56,25 +94,25 @@ int runPlan(const PlanArguments& arguments) {
     fmt::print(stderr, "stridegraph plan: {}\n", describe(plan.error()));
     return kWrongUse;
   }
-  const PlanReport& report = plan->report;
-  Result<void> written;
-  const bool arrived = report.status == PlanStatus::kArrived;
-  if (arrived) written = writeWalk(arguments.walkPath, *library, plan->walk);
-  if (written && !arguments.reportPath.empty())
-    written = writeFile(arguments.reportPath, toJson(*plan) + "\n");
-  if (!written) {
+  if (const Result<void> written = writeFiles(arguments, *library, *plan); !written) {
     fmt::print(stderr, "stridegraph plan: {}\n", describe(written.error()));
     return kWrongUse;
   }
-  if (!arrived) {
-    fmt::print(stderr, "stridegraph plan: {}: {}\n", planStatusName(report.status), report.explanation);
-    return kRefused;
+  const std::vector<const Plan*> all = allOf(*plan);
+  int exitCode = kDone;
+  for (std::size_t walker = 0; walker < all.size(); ++walker) {
+    const PlanReport& report = all[walker]->report;
+    const std::string who = all.size() > 1 ? fmt::format("walker {}: ", walker + 1) : "";
+    if (!arrived(*all[walker])) {
+      fmt::print(stderr, "stridegraph plan: {}{}: {}\n", who, planStatusName(report.status),
+                 report.explanation);
+      exitCode = kRefused;
+      continue;
+    }
+    printWalk(walkPathOf(arguments.walkPath, walker), report);
+    if (!report.explanation.empty()) fmt::print(stderr, "note: {}{}\n", who, report.explanation);
   }
-  fmt::print("{}: {} frames, {:.1f} s, {:.2f} m walked along a path of {:.2f} m, {} transitions, {:.1f} ms\n",
-             arguments.walkPath, report.frames, report.durationSeconds, report.motionLengthMetres,
-             report.pathLengthMetres, report.transitions, report.totalMilliseconds);
-  if (!report.explanation.empty()) fmt::print(stderr, "note: {}\n", report.explanation);
-  return kDone;
+  return exitCode;
 }
 
 }  // namespace
@@ -85,7 +123,9 @@ void addPlanCommand(CLI::App& program, int& exitCode) {
   auto arguments = std::make_shared<PlanArguments>();
   command->add_option("--graph", arguments->graphPath, "Library (.sgraph)")->required();
   command->add_option("--scene", arguments->scenePath, "Scene (JSON)")->required();
-  command->add_option("-o,--output", arguments->walkPath, "Walk to write: .bvh or .glb")
+  command
+      ->add_option("-o,--output", arguments->walkPath,
+                   "Walk to write: .bvh or .glb; further walkers' as WALK_2.bvh, WALK_3.bvh ...")
       ->required()
       ->check([](const std::string& path) {
         return path.ends_with(".bvh") || path.ends_with(".glb")

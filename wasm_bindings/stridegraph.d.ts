@@ -33,6 +33,22 @@ export interface MovingObstacle {
   track: { t: number; x: number; z: number }[]
 }
 
+/** A part of the floor to keep out of where that is possible, or to lead over where that costs little. */
+export interface Area extends Rectangle {
+  kind: 'avoid' | 'prefer'
+}
+
+/** What every walk keeps to, beyond getting there. */
+export interface WalkConstraints {
+  gait?: 'walk' | 'run'
+  /** Metres per second, 0..10. */
+  min_speed_m_s?: number
+  max_speed_m_s?: number
+  /** Seconds after the beginning, above 0, at most 3600. */
+  latest_arrival_s?: number
+  areas?: Area[]
+}
+
 /** A room that spans 0..width in x and 0..depth in z, metres. The form of the editor's files. */
 export interface Scene {
   version?: number
@@ -41,8 +57,12 @@ export interface Scene {
   depth: number
   obstacles: Rectangle[]
   moving?: MovingObstacle[]
+  /** Of the first walker. */
   start: Placement
   goal: Placement
+  /** Further walkers, at most 100. */
+  walkers?: { start: Placement; goal: Placement }[]
+  constraints?: WalkConstraints
   /** Of the disc that stands for the body, metres; 0.4 when missing. */
   radius?: number
   seed?: number
@@ -164,6 +184,8 @@ export interface Walk {
   readonly subgoals: Float32Array
   /** x, z, x, z of every edge of the roadmap, or of both trees. */
   readonly roadmap: Float32Array
+  /** The walks of the scene's further walkers, in their order. */
+  readonly others: Walk[]
   /** The walk with the names, channels, unit and axes of the clips it came from. Throws unless arrived. */
   toBvh(): string
   /** The walk as binary glTF 2.0. Throws unless arrived. */

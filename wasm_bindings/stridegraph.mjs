@@ -104,6 +104,7 @@ class Walk {
     this.path = plan.path
     this.subgoals = plan.subgoals
     this.roadmap = plan.roadmap
+    this.others = plan.others.map((other) => new Walk(module, skeleton, other))
   }
 
   toBvh() {

@@ -162,6 +162,9 @@ val planValue(const Skeleton& skeleton, const Plan& plan) {
   value.set("path", floorPoints(plan.path));
   value.set("subgoals", floorPoints(plan.subgoals));
   value.set("roadmap", floorPoints(roadmapEnds(plan)));
+  val others = val::array();
+  for (const Plan& other : plan.others) others.call<void>("push", planValue(skeleton, other));
+  value.set("others", others);
   return value;
 }
 

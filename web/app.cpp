@@ -37,6 +37,7 @@ Cursor cursorOver(const Handle& handle, Tool tool) {
     case HandleKind::kCorner:
     case HandleKind::kEdge:
     case HandleKind::kHeading:
+    case HandleKind::kTrackPoint:
       return Cursor::kHand;
     case HandleKind::kNone:
       return Cursor::kArrow;
@@ -95,8 +96,9 @@ Result<void> App::openLibrary(std::span<const std::uint8_t> bytes) {
   Result<MotionLibrary> library = readSgraph(bytes);
   if (!library) return fail(std::move(library));
   state_.library = std::make_shared<const MotionLibrary>(std::move(*library));
-  state_.planner = std::make_unique<const WalkPlanner>(state_.library);
+  state_.session.emplace(std::make_shared<const WalkPlanner>(state_.library));
   bones_ = bonesFor(state_.library->skeleton, state_.library->frames.pose(0));
+  state_.plan.reset();
   wantPlan(state_);
   stayAwake(kAwakeSeconds);
   return {};
@@ -235,20 +237,31 @@ void App::showCursor(const Handle& hovered) {
   }
 }
 
+std::vector<ShownBody> App::shownBodies() const {
+  const Palette& palette = paletteFor(state_.view.dark);
+  std::vector<ShownBody> bodies;
+  for (std::size_t walker = 0; walker < state_.walkerCount(); ++walker) {
+    const std::optional<Pose> pose = shownPose(state_, walker);
+    if (!pose) break;
+    const std::size_t frame = state_.shownFrame();
+    const bool blended = walker == 0 && state_.view.tintBlends && state_.hasWalk() &&
+                         frame < state_.plan->frameKinds.size() &&
+                         state_.plan->frameKinds[frame] == EdgeKind::kTransition;
+    const Colour& own = walker == 0 ? palette.body : walkerColour(palette, walker);
+    bodies.push_back(
+        {placeBones(bones_, state_.library->skeleton, pose->view()), blended ? palette.blendedBody : own});
+  }
+  return bodies;
+}
+
 void App::drawRoom(const CameraView& view, const FrameRequest& request) {
   const FloorMarks marks = marksOf(state_, footprints_);
-  std::vector<Capsule> body;
-  if (const std::optional<Pose> pose = shownPose(state_)) {
-    body = placeBones(bones_, state_.library->skeleton, pose->view());
-  }
-  const std::size_t frame = state_.shownFrame();
-  const bool blended = state_.view.tintBlends && state_.hasWalk() && frame < state_.plan->frameKinds.size() &&
-                       state_.plan->frameKinds[frame] == EdgeKind::kTransition;
+  const std::vector<ShownBody> bodies = shownBodies();
   PixelSize size;
   size.width = static_cast<int>(std::lround(request.viewport.width * request.pixelRatio));
   size.height = static_cast<int>(std::lround(request.viewport.height * request.pixelRatio));
   size.perPoint = request.pixelRatio;
-  renderer_->draw({state_, view, marks, body, blended, size});
+  renderer_->draw({state_, view, marks, bodies, size});
 }
 
 }  // namespace stridegraph

@@ -62,6 +62,7 @@ class App {
 
   void beginImGui(const FrameRequest& request);
   void showPanels(const CameraView& view);
+  std::vector<ShownBody> shownBodies() const;
   void drawRoom(const CameraView& view, const FrameRequest& request);
   void updateWalk();
   void followBody(double deltaSeconds);

@@ -25,7 +25,8 @@ endif()
 # The menu of samples: every scene, by the name that it gives itself; simple ones first.
 file(GLOB scenes RELATIVE ${SITE}/scenes ${SITE}/scenes/*.json)
 list(SORT scenes)
-set(simple_first empty.json one_obstacle.json narrow_gap.json u_trap.json scattered.json labyrinth.json city.json)
+set(simple_first empty.json one_obstacle.json narrow_gap.json u_trap.json scattered.json labyrinth.json city.json
+    moving_gap.json crossing.json areas.json)
 list(APPEND simple_first ${scenes})
 list(REMOVE_DUPLICATES simple_first)
 set(entries)

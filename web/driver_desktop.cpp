@@ -22,7 +22,7 @@ struct KeyPair {
   int glfw;
   Key key;
 };
-constexpr std::array<KeyPair, 23> kKeys = {{
+constexpr std::array<KeyPair, 25> kKeys = {{
     {GLFW_KEY_TAB, Key::kTab},       {GLFW_KEY_LEFT, Key::kLeft},
     {GLFW_KEY_RIGHT, Key::kRight},   {GLFW_KEY_UP, Key::kUp},
     {GLFW_KEY_DOWN, Key::kDown},     {GLFW_KEY_HOME, Key::kHome},
@@ -34,7 +34,8 @@ constexpr std::array<KeyPair, 23> kKeys = {{
     {GLFW_KEY_G, Key::kG},           {GLFW_KEY_S, Key::kS},
     {GLFW_KEY_V, Key::kV},           {GLFW_KEY_X, Key::kX},
     {GLFW_KEY_Y, Key::kY},           {GLFW_KEY_Z, Key::kZ},
-    {GLFW_KEY_F, Key::kF},
+    {GLFW_KEY_F, Key::kF},           {GLFW_KEY_M, Key::kM},
+    {GLFW_KEY_W, Key::kW},
 }};
 
 App& appOf(GLFWwindow* window) {

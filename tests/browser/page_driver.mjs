@@ -121,13 +121,27 @@ export class Visit {
     })
   }
 
+  /** Plays until a time of the walk, and pauses there. */
+  async playUntil(seconds) {
+    await this.press('Space')
+    await this.until((state) => state.playing)
+    await this.until((state) => state.seconds > seconds)
+    await this.press('Space')
+    return this.until((state) => !state.playing)
+  }
+
   /** Where a floor point is on the canvas, CSS pixels. */
   pointOf(x, z) {
     return this.page.evaluate(([atX, atZ]) => globalThis.stridegraphApp.pointOf(atX, atZ), [x, z])
   }
 
   /** Drags with the left button from one floor point to another. */
-  async dragFloor(from, to) {
+  dragFloor(from, to) {
+    return this.dragFloorHolding(from, to, () => {})
+  }
+
+  /** Like dragFloor, with something to do before the button is let go. */
+  async dragFloorHolding(from, to, whileHeld) {
     const box = await this.canvas.boundingBox()
     const a = await this.pointOf(...from)
     const b = await this.pointOf(...to)
@@ -135,6 +149,7 @@ export class Visit {
     await this.page.mouse.down()
     await this.page.mouse.move(box.x + (a.x + b.x) / 2, box.y + (a.y + b.y) / 2, { steps: 4 })
     await this.page.mouse.move(box.x + b.x, box.y + b.y, { steps: 4 })
+    await whileHeld()
     await this.page.mouse.up()
   }
 

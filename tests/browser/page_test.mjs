@@ -166,6 +166,74 @@ describe('editing', () => {
     }))
 })
 
+describe('what moves', () => {
+  it('is drawn by its way, shown where it is at the time, and taken back', () =>
+    visiting({}, async (visit) => {
+      await visit.openSample('empty.json')
+      await visit.useCamera('3', 'top')
+      await visit.press('m')
+      await visit.until((state) => state.tool === 'moving')
+      await visit.dragFloor([3, 2], [3, 6])
+      const drawn = await visit.until((state) => state.scene.moving?.length === 1 && !state.planning)
+      assert.equal(drawn.scene.moving[0].repeat, 'pingpong')
+      assert.deepEqual(drawn.moving[0], [3, 2])
+      const later = await visit.playUntil(1.5)
+      assert.ok(Math.abs(later.moving[0][1] - (2 + 0.8 * later.seconds)) < 1e-6)
+      await visit.screenshot('moving')
+      await visit.press('Delete')
+      await visit.until((state) => state.scene.moving === undefined)
+      await visit.press('Control+z')
+      await visit.until((state) => state.scene.moving?.length === 1)
+    }))
+
+  it('is the walk itself while the goal is dragged, and playback stays at its time', () =>
+    visiting({}, async (visit) => {
+      const { scene } = await visit.openSample('empty.json')
+      await visit.useCamera('3', 'top')
+      const paused = await visit.playUntil(1)
+      const { x, z } = scene.goal
+      await visit.dragFloorHolding([x, z], [x - 1, z - 2], async () => {
+        const held = await visit.until((state) => state.plans > paused.plans + 1)
+        assert.equal(held.undo_steps, paused.undo_steps)
+        assert.equal(held.seconds, paused.seconds)
+        assert.notDeepEqual(held.plan.edges, paused.plan.edges)
+        assert.equal(held.went_on, true)
+        held.root.forEach((value, axis) => assert.ok(Math.abs(value - paused.root[axis]) < 0.02))
+      })
+      const dropped = await visit.until((state) => state.undo_steps > paused.undo_steps && !state.planning)
+      assert.equal(dropped.seconds, paused.seconds)
+      await visit.press('Home')
+      await visit.until((state) => !state.went_on && state.seconds === 0)
+    }))
+
+  it('is as many walkers as there are', () =>
+    visiting({}, async (visit) => {
+      const first = await visit.openSample('empty.json')
+      await visit.useCamera('3', 'top')
+      await visit.press('w')
+      await visit.until((state) => state.tool === 'walker')
+      await visit.dragFloor([2, 1.5], [8, 1.5])
+      const two = await visit.until((state) => state.scene.walkers?.length === 1 && !state.planning)
+      assert.deepEqual(two.scene.walkers[0].goal, { x: 8, z: 1.5 })
+      assert.equal(two.roots.length, 2)
+      assert.ok(Math.hypot(two.roots[1][0] - 2, two.roots[1][2] - 1.5) < 0.1)
+      await visit.press('Delete')
+      await visit.until((state) => state.scene.walkers === undefined && !state.planning)
+      assert.deepEqual((await visit.state()).plan.edges, first.plan.edges)
+    }))
+
+  it('leaves an area alone that is drawn to be avoided', () =>
+    visiting({}, async (visit) => {
+      await visit.openSample('empty.json')
+      await visit.useCamera('3', 'top')
+      await visit.press('a')
+      await visit.until((state) => state.tool === 'area')
+      await visit.dragFloor([4, 2], [6, 4])
+      const drawn = await visit.until((state) => state.scene.constraints?.areas.length === 1)
+      assert.equal(drawn.scene.constraints.areas[0].kind, 'avoid')
+    }))
+})
+
 describe('links', () => {
   it('open to the same room and the same edges', () =>
     visiting({}, async (visit) => {

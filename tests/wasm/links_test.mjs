@@ -4,7 +4,14 @@ import { engine, refusalOf, smallRoom } from './support/engine.mjs'
 
 describe('links', () => {
   it('hold scene, search and library', () => {
-    const scene = { ...smallRoom(), name: 'Küche “2”', seed: 42, radius: 0.35 }
+    const scene = {
+      ...smallRoom(),
+      name: 'Küche “2”',
+      seed: 42,
+      radius: 0.35,
+      walkers: [{ start: { x: 1, z: 1 }, goal: { x: 2, z: 2.5, heading_deg: 45 } }],
+      constraints: { gait: 'run', areas: [{ x: 3, z: 3, width: 1, depth: 2, kind: 'prefer' }] },
+    }
     const link = engine.encodeLink(scene, { search: 'thesis', libraryHash: '0123456789abcdef' })
     const { scene: back, search, libraryHash } = engine.decodeLink(link)
     assert.equal(search, 'thesis')

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict'
 import { after, before, describe, it } from 'node:test'
-import { defaultLibraryBytes, engine, smallRoom } from './support/engine.mjs'
+import { defaultLibraryBytes, engine, refusalOf, smallRoom } from './support/engine.mjs'
 
 const reportMembers = [
   'status',
@@ -137,6 +137,29 @@ describe('plan', () => {
     assert.deepEqual(walk.positions, kept)
     assert.notEqual(walk.positions.buffer.byteLength, engine.memory.heapBytes)
     assert.match(walk.toBvh(), /^HIERARCHY/)
+  })
+
+  it('gives the walks of further walkers the same members, and files of their own', () => {
+    const walkers = [{ start: { x: 1, z: 1.5 }, goal: { x: 7, z: 1.5 } }]
+    const walk = library.plan({ ...smallRoom(), walkers })
+    assert.equal(walk.others.length, 1)
+    const [other] = walk.others
+    assert.deepEqual(Object.keys(other).sort(), Object.keys(walk).sort())
+    assert.equal(other.status, 'arrived')
+    assert.equal(other.positions.length, other.frames * other.joints.length * 3)
+    assert.ok(Math.hypot(other.positions[0] - 1, other.positions[2] - 1.5) < 0.01)
+    assert.match(other.toBvh(), /^HIERARCHY/)
+    assert.notEqual(other.toBvh(), walk.toBvh())
+    assert.equal(new TextDecoder().decode(other.toGlb().subarray(0, 4)), 'glTF')
+    assert.deepEqual(library.plan(smallRoom()).others, [])
+  })
+
+  it('refuses constraints that no walk can keep to', () => {
+    const constraints = { min_speed_m_s: 2, max_speed_m_s: 1 }
+    assert.match(
+      refusalOf(() => library.plan({ ...smallRoom(), constraints })).message,
+      /min_speed_m_s: found 2/,
+    )
   })
 
   it('gives values that a worker may post', () => {

@@ -15,6 +15,14 @@ const scene: Scene = {
   moving: [{ width: 1, depth: 1, repeat: 'loop', track: [{ t: 0, x: 1, z: 5 }] }],
   start: { x: 2, z: 4, heading_deg: 90 },
   goal: { x: 6, z: 4 },
+  walkers: [{ start: { x: 6, z: 2 }, goal: { x: 2, z: 6, heading_deg: 0 } }],
+  constraints: {
+    gait: 'walk',
+    min_speed_m_s: 0.5,
+    max_speed_m_s: 1.6,
+    latest_arrival_s: 20,
+    areas: [{ x: 3, z: 6, width: 1, depth: 1, kind: 'avoid' }],
+  },
 }
 
 export async function useEverything(bytes: ArrayBuffer, signal: AbortSignal): Promise<Uint8Array> {
@@ -35,6 +43,8 @@ export async function useEverything(bytes: ArrayBuffer, signal: AbortSignal): Pr
   const walk: Walk = library.plan(scene, { seed: 1, planner: 'prm', search: 'guided', budgetMs: 100 })
   const firstHeight: number | undefined = walk.positions[1]
   const edges: [number, number][] = walk.report.edges
+  const others: readonly Walk[] = walk.others
+  console.log(others[0]?.positions.length, others[0]?.toBvh().length, others[0]?.toGlb().length)
   console.log(firstHeight, edges.length, walk.joints[0]?.name, walk.path.length, library.info.hash)
   const { scene: shared, libraryHash } = sg.decodeLink(sg.encodeLink(scene, { search: 'thesis' }))
   const hash: string | null = libraryHash
@@ -46,6 +56,8 @@ export async function useEverything(bytes: ArrayBuffer, signal: AbortSignal): Pr
   }
   // @ts-expect-error: an unknown planner
   library.plan(scene, { planner: 'a-star' })
+  // @ts-expect-error: an unknown gait
+  library.plan({ ...scene, constraints: { gait: 'swim' } })
   // @ts-expect-error: a scene without a room
   library.plan({ start: { x: 0, z: 0 }, goal: { x: 1, z: 1 } })
   // @ts-expect-error: a figure that is read only

@@ -70,6 +70,36 @@ TEST(Commands, deletingChosenBlockCanBeUndone) {
   EXPECT_EQ(state.scene.obstacles.size(), 1u);
 }
 
+TEST(Commands, deletesWhateverMayGo) {
+  AppState state = stateWithBlock();
+  state.scene.moving.push_back({Vec2::Ones(), TrackRepeat::kLoop, {{0.0, {1.0, 1.0}}}});
+  state.scene.walkers.resize(2);
+  state.scene.walkers[1].goal.position = {3.0, 3.0};
+  state.scene.constraints.areas.resize(1);
+  for (const Item& item : {Item{ItemKind::kMoving, 0}, Item{ItemKind::kArea, 0}, Item{ItemKind::kStart, 1}}) {
+    apply(state, Select{item});
+    apply(state, DeleteSelection{});
+  }
+  EXPECT_TRUE(state.scene.moving.empty());
+  EXPECT_TRUE(state.scene.constraints.areas.empty());
+  ASSERT_EQ(state.scene.walkers.size(), 1u);
+  EXPECT_EQ(state.scene.walkers[0].goal.position, Vec2(3.0, 3.0));
+  EXPECT_EQ(state.history.past.back().label, "Delete walker");
+  apply(state, Select{{ItemKind::kGoal, 0}});
+  apply(state, DeleteSelection{});
+  EXPECT_EQ(state.history.past.size(), 3u) << "the first walker's goal stays";
+}
+
+TEST(Commands, undoingAWalkerLetsGoOfIt) {
+  AppState state = stateWithBlock();
+  Scene scene = state.scene;
+  scene.walkers.resize(1);
+  apply(state, EditScene{"Draw walker", scene});
+  apply(state, Select{{ItemKind::kGoal, 1}});
+  apply(state, Undo{});
+  EXPECT_EQ(state.selection, Item{});
+}
+
 TEST(Commands, everyChangeOfTheSceneWantsAPlan) {
   AppState state = stateWithBlock();
   apply(state, Select{{ItemKind::kStart, 0}});

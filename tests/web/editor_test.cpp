@@ -5,6 +5,9 @@
 #include <cmath>
 #include <variant>
 
+#include "scene/scene_limits.h"
+#include "state/track_edit.h"
+
 namespace stridegraph {
 namespace {
 
@@ -117,6 +120,83 @@ TEST_F(EditorTest, placesTheGoalFacingTheDrag) {
   EXPECT_NEAR(state.scene.goal.position.x(), 7.0, 1e-9);
   EXPECT_NEAR(headingDegrees(state.scene.goal), 0.0, 1e-9);
   EXPECT_EQ(state.tool, Tool::kSelect);
+}
+
+TEST_F(EditorTest, drawsAMovingBlockByItsWay) {
+  state.tool = Tool::kMoving;
+  drag(over(2.0, 6.0), over(6.04, 6.0));
+  ASSERT_EQ(state.scene.moving.size(), 1u);
+  const MovingObstacle& moving = state.scene.moving[0];
+  EXPECT_EQ(moving.repeat, TrackRepeat::kPingPong);
+  ASSERT_EQ(moving.track.size(), 2u);
+  EXPECT_NEAR(moving.track[0].position.x(), 2.0, 1e-9);
+  EXPECT_NEAR(moving.track[1].position.x(), 6.0, 1e-9);
+  EXPECT_NEAR(moving.track[1].seconds, 5.0, 1e-9);
+  EXPECT_EQ(state.selection, (Item{ItemKind::kMoving, 0}));
+  EXPECT_EQ(state.tool, Tool::kSelect);
+  EXPECT_EQ(state.history.past.back().label, "Draw moving block");
+}
+
+TEST_F(EditorTest, takesHoldOfAMovingBlockWhereItIsNow) {
+  state.scene.moving.push_back(backAndForth({Vec2(2.0, 6.0), Vec2::Ones()}, Vec2(6.0, 6.0), 0.8));
+  EXPECT_EQ(handleUnder(state, view, over(2.0, 6.0)).item, (Item{ItemKind::kMoving, 0}));
+  state.playback.seconds = 5.0;
+  EXPECT_EQ(handleUnder(state, view, over(6.0, 6.0)).item, (Item{ItemKind::kMoving, 0}));
+  EXPECT_EQ(handleUnder(state, view, over(2.0, 6.0)).kind, HandleKind::kNone);
+}
+
+TEST_F(EditorTest, movesAWholeTrackAndKeepsItInside) {
+  state.scene.moving.push_back(backAndForth({Vec2(2.0, 6.0), Vec2::Ones()}, Vec2(6.0, 6.0), 0.8));
+  drag(over(2.0, 6.0), over(9.0, 5.0));
+  const std::vector<TrackPoint>& track = state.scene.moving[0].track;
+  EXPECT_NEAR(track[0].position.x(), 6.0, 1e-9);
+  EXPECT_NEAR(track[1].position.x(), 10.0, 1e-9);
+  EXPECT_NEAR(track[1].position.y(), 5.0, 0.11);
+}
+
+TEST_F(EditorTest, movesTheEndOfATrackAtTheSameSpeed) {
+  state.scene.moving.push_back(backAndForth({Vec2(2.0, 6.0), Vec2::Ones()}, Vec2(6.0, 6.0), 0.8));
+  state.selection = {ItemKind::kMoving, 0};
+  drag(over(6.0, 6.0), over(4.0, 6.0));
+  const MovingObstacle& moving = state.scene.moving[0];
+  EXPECT_NEAR(moving.track[1].position.x(), 4.0, 1e-9);
+  EXPECT_NEAR(trackSpeed(moving), 0.8, 1e-9);
+}
+
+TEST_F(EditorTest, addsAWalkerFromItsStartToItsGoal) {
+  state.tool = Tool::kWalker;
+  drag(over(1.0, 7.0), over(8.0, 1.52));
+  ASSERT_EQ(state.scene.walkers.size(), 1u);
+  EXPECT_NEAR(state.scene.walkers[0].start.position.y(), 7.0, 1e-9);
+  EXPECT_NEAR(state.scene.walkers[0].goal.position.y(), 1.5, 1e-9);
+  EXPECT_EQ(state.selection, (Item{ItemKind::kGoal, 1}));
+  EXPECT_EQ(state.history.past.back().label, "Draw walker");
+  state.tool = Tool::kSelect;
+  drag(over(8.0, 1.5), over(8.0, 2.5));
+  EXPECT_NEAR(state.scene.walkers[0].goal.position.y(), 2.5, 1e-9);
+}
+
+TEST_F(EditorTest, addsNoMoreWalkersThanAScenesMayHold) {
+  state.tool = Tool::kWalker;
+  state.scene.walkers.resize(kMostWalkers);
+  EXPECT_FALSE(beginDrag(state, view, over(1.0, 7.0)));
+}
+
+TEST_F(EditorTest, drawsAnAreaWhichAClickChooses) {
+  state.tool = Tool::kArea;
+  drag(over(1.0, 5.0), over(3.0, 7.0));
+  ASSERT_EQ(state.scene.constraints.areas.size(), 1u);
+  EXPECT_EQ(state.scene.constraints.areas[0].kind, AreaKind::kAvoid);
+  state.tool = Tool::kSelect;
+  const PointerAt within = over(2.0, 6.0);
+  EXPECT_EQ(handleUnder(state, view, within).item, (Item{ItemKind::kArea, 0}));
+  state.selection = {};
+  EXPECT_FALSE(beginDrag(state, view, within)) << "the floor on it turns the view";
+  EXPECT_EQ(areaUnder(state, view, within), (Item{ItemKind::kArea, 0}));
+  EXPECT_EQ(areaUnder(state, view, over(3.5, 6.0)), Item{});
+  state.selection = {ItemKind::kArea, 0};
+  drag(over(3.0, 7.0), over(4.0, 7.5));
+  EXPECT_NEAR(state.scene.constraints.areas[0].rectangle.size.x(), 3.0, 1e-9);
 }
 
 TEST_F(EditorTest, leavesEmptyFloorToTheCamera) {

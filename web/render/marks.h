@@ -7,7 +7,15 @@
 
 namespace stridegraph {
 
-enum class MarkKind { kDisc = 0, kRing = 1, kArrow = 2, kFootprint = 3, kContactShade = 4, kOutline = 5 };
+enum class MarkKind {
+  kDisc = 0,
+  kRing = 1,
+  kArrow = 2,
+  kFootprint = 3,
+  kContactShade = 4,
+  kOutline = 5,
+  kHatch = 6
+};
 
 /// A flat mark on the floor (see the mark shader for what `parameter` means to each kind).
 struct Mark {
@@ -49,7 +57,10 @@ std::vector<std::vector<std::size_t>> feetOf(const MotionLibrary& library);
 /// Every stay of every foot during a walk, in order of time for each foot.
 std::vector<Footprint> footprintsOf(const MotionLibrary& library, const Plan& plan);
 
-/// The marks of what does not change while a walk plays.
+/// Every block where it is at the time on screen: those that stand, then those that move.
+std::vector<Rectangle> shownBlocks(const AppState& state);
+
+/// All marks at the time on screen.
 FloorMarks marksOf(const AppState& state, const std::vector<Footprint>& footprints);
 
 }  // namespace stridegraph

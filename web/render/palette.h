@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace stridegraph {
@@ -20,10 +21,12 @@ struct Colour {
 struct Palette {
   Colour horizon, zenith;           ///< Background; the floor fades into the horizon.
   Colour floor, outside, gridLine;  ///< Inside the room, outside of it, and the metre lines.
-  Colour block, chosenBlock, wall;
+  Colour block, movingBlock, chosenBlock, wall;
   Colour body, blendedBody;
   Colour path, trail, subgoal, roadmap, leftFoot, rightFoot, start, goal;
-  Colour sun, sky;  ///< Light, linear factors rather than surface colours.
+  Colour track, avoid, prefer;    ///< Of moving blocks; of areas.
+  std::array<Colour, 8> walkers;  ///< Of further walkers, over and over.
+  Colour sun, sky;                ///< Light, linear factors rather than surface colours.
   Colour accent, panel, panelEdge, control, text, quietText, problem, good;
 };
 
@@ -34,6 +37,7 @@ inline constexpr Palette kLightPalette = {
     .outside = Colour::hex(0xdfe3e8),
     .gridLine = Colour::hex(0x5a6b80, 0.20F),
     .block = Colour::hex(0x8fa1b8),
+    .movingBlock = Colour::hex(0xd9a441),
     .chosenBlock = Colour::hex(0x5b8def),
     .wall = Colour::hex(0xc5cdd8),
     .body = Colour::hex(0xe88a5a),
@@ -46,6 +50,11 @@ inline constexpr Palette kLightPalette = {
     .rightFoot = Colour::hex(0xb04a78, 0.75F),
     .start = Colour::hex(0x1f9d6b),
     .goal = Colour::hex(0xd8404f),
+    .track = Colour::hex(0xb07a14, 0.85F),
+    .avoid = Colour::hex(0xe07b39),
+    .prefer = Colour::hex(0x2fa36b),
+    .walkers = {{Colour::hex(0x3f7fd6), Colour::hex(0x7a5cc9), Colour::hex(0x1f9aa0), Colour::hex(0xc2557f),
+                 Colour::hex(0x6f9a2e), Colour::hex(0xb07a2a), Colour::hex(0x4f5d9e), Colour::hex(0x8b4a9c)}},
     .sun = {1.02F, 0.96F, 0.86F, 1.0F},
     .sky = {0.36F, 0.40F, 0.46F, 1.0F},
     .accent = Colour::hex(0x2563d9),
@@ -65,6 +74,7 @@ inline constexpr Palette kDarkPalette = {
     .outside = Colour::hex(0x1d222b),
     .gridLine = Colour::hex(0xb8c8e0, 0.13F),
     .block = Colour::hex(0x66758c),
+    .movingBlock = Colour::hex(0xb98b36),
     .chosenBlock = Colour::hex(0x5b8def),
     .wall = Colour::hex(0x48536a),
     .body = Colour::hex(0xf0a070),
@@ -77,6 +87,11 @@ inline constexpr Palette kDarkPalette = {
     .rightFoot = Colour::hex(0xf08bb8, 0.75F),
     .start = Colour::hex(0x3ecf95),
     .goal = Colour::hex(0xff6b78),
+    .track = Colour::hex(0xe0b15a, 0.85F),
+    .avoid = Colour::hex(0xf0925a),
+    .prefer = Colour::hex(0x4fc98f),
+    .walkers = {{Colour::hex(0x74aaf5), Colour::hex(0xa48df0), Colour::hex(0x55c8cc), Colour::hex(0xe886ad),
+                 Colour::hex(0xa3cc5c), Colour::hex(0xdcaa5e), Colour::hex(0x8d9be0), Colour::hex(0xc184d4)}},
     .sun = {0.95F, 0.92F, 0.86F, 1.0F},
     .sky = {0.30F, 0.34F, 0.42F, 1.0F},
     .accent = Colour::hex(0x6aa5ff),
@@ -88,6 +103,11 @@ inline constexpr Palette kDarkPalette = {
     .problem = Colour::hex(0xff7b86),
     .good = Colour::hex(0x55d6a0),
 };
+
+/// The colour of a further walker's marks and body, 1 for the first of them.
+inline const Colour& walkerColour(const Palette& palette, std::size_t walker) {
+  return palette.walkers.at((walker - 1) % palette.walkers.size());
+}
 
 inline const Palette& paletteFor(bool dark) {
   return dark ? kDarkPalette : kLightPalette;

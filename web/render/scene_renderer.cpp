@@ -56,13 +56,16 @@ std::vector<float> blocksOf(const AppState& state) {
   const Palette& palette = paletteFor(state.view.dark);
   const Scene& scene = state.shownScene();
   std::vector<float> out;
-  out.reserve((scene.obstacles.size() + 4) * kBlockFloats);
-  for (std::size_t i = 0; i < scene.obstacles.size(); ++i) {
-    const Item item{ItemKind::kObstacle, i};
-    Colour colour = palette.block;
+  const std::vector<Rectangle> blocks = shownBlocks(state);
+  out.reserve((blocks.size() + 4) * kBlockFloats);
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    const bool moves = i >= scene.obstacles.size();
+    const Item item =
+        moves ? Item{ItemKind::kMoving, i - scene.obstacles.size()} : Item{ItemKind::kObstacle, i};
+    Colour colour = moves ? palette.movingBlock : palette.block;
     if (state.hovered == item) colour = mixed(colour, palette.chosenBlock, 0.25F);
     if (state.selection == item) colour = palette.chosenBlock;
-    pushBlock(out, scene.obstacles[i], kBlockHeightMetres, colour);
+    pushBlock(out, blocks[i], kBlockHeightMetres, colour);
   }
   const double w = scene.widthMetres, d = scene.depthMetres, t = kWallThicknessMetres;
   for (const double x : {-t / 2, w + t / 2}) {
@@ -72,6 +75,18 @@ std::vector<float> blocksOf(const AppState& state) {
     pushBlock(out, {{w / 2, z}, {w, t}}, kWallHeightMetres, palette.wall);
   }
   return out;
+}
+
+void pushBody(std::vector<float>& out, const ShownBody& body) {
+  for (const Capsule& capsule : body.capsules) {
+    push(out, capsule.from.x(), capsule.from.y(), capsule.from.z(), capsule.fromRadius);
+    push(out, capsule.to.x(), capsule.to.y(), capsule.to.z(), capsule.toRadius);
+    push(out, body.colour.red, body.colour.green, body.colour.blue);
+  }
+}
+
+const ShownBody* firstBody(const Picture& picture) {
+  return picture.bodies.empty() ? nullptr : &picture.bodies.front();
 }
 
 Eigen::Matrix4f shadowMatrix(const Vec2& centre, double reach) {
@@ -101,11 +116,12 @@ Result<SceneRenderer> SceneRenderer::create() {
     const char* vertex;
     const char* fragment;
   };
-  const std::array<Wanted, 7> wanted = {{{made.sky_, plain, kSkyVertex, kSkyFragment},
+  const std::array<Wanted, 8> wanted = {{{made.sky_, plain, kSkyVertex, kSkyFragment},
                                          {made.floor_, lit, kFloorVertex, kFloorFragment},
                                          {made.block_, lit, kBlockVertex, kBlockFragment},
                                          {made.blockDepth_, plain, kBlockVertex, kDepthFragment},
                                          {made.body_, lit, kBodyVertex, kBodyFragment},
+                                         {made.bodyDepth_, plain, kBodyVertex, kDepthFragment},
                                          {made.line_, plain, kLineVertex, kLineFragment},
                                          {made.mark_, plain, kMarkVertex, kMarkFragment}}};
   for (const Wanted& each : wanted) {
@@ -147,8 +163,9 @@ SceneRenderer::ShadowMap SceneRenderer::makeShadowMap() {
 }
 
 void SceneRenderer::draw(const Picture& picture) {
-  const std::vector<float> blocks = blocksOf(picture.state);
-  drawShadowMaps(picture, blocks);
+  Casters casters{blocksOf(picture.state), {}};
+  for (std::size_t i = 1; i < picture.bodies.size(); ++i) pushBody(casters.bodies, picture.bodies[i]);
+  drawShadowMaps(picture, casters);
   glViewport(0, 0, picture.size.width, picture.size.height);
   const Colour& back = paletteFor(picture.state.view.dark).horizon;
   glClearColor(back.red, back.green, back.blue, 1.0F);
@@ -167,29 +184,29 @@ void SceneRenderer::draw(const Picture& picture) {
   glDisable(GL_BLEND);
   glEnable(GL_DEPTH_TEST);
   glEnable(GL_CULL_FACE);
-  drawBlocks(picture, blocks);
-  drawBody(picture);
+  drawBlocks(picture, casters.blocks);
+  drawBodies(picture);
   glDisable(GL_CULL_FACE);
   glDisable(GL_DEPTH_TEST);
 }
 
-void SceneRenderer::drawShadowMaps(const Picture& picture, const std::vector<float>& blocks) {
+void SceneRenderer::drawShadowMaps(const Picture& picture, const Casters& casters) {
   const Scene& scene = picture.state.shownScene();
   const double roomReach = 0.5 * std::hypot(scene.widthMetres, scene.depthMetres) + 1.5;
-  drawShadowMap(roomShadow_, Vec2(scene.widthMetres / 2, scene.depthMetres / 2), roomReach, blocks);
+  drawShadowMap(roomShadow_, Vec2(scene.widthMetres / 2, scene.depthMetres / 2), roomReach, casters);
   // The near map follows the view in steps, so that it is drawn rarely and its texels stay in place.
   const CameraPose& pose = picture.state.camera.current;
   double reach = kSmallestShadowReachMetres;
   while (reach < 2.2 * pose.halfHeightMetres) reach *= 2.0;
   reach = std::min(reach, roomReach);
   const double step = reach / 4.0;
-  drawShadowMap(nearShadow_, (pose.target / step).array().round().matrix() * step, reach, blocks);
+  drawShadowMap(nearShadow_, (pose.target / step).array().round().matrix() * step, reach, casters);
 }
 
 void SceneRenderer::drawShadowMap(ShadowMap& map, const Vec2& centre, double reachMetres,
-                                  const std::vector<float>& blocks) {
-  if (blocks == map.blocks && centre == map.centre && reachMetres == map.reachMetres) return;
-  map.blocks = blocks;
+                                  const Casters& casters) {
+  if (casters == map.casters && centre == map.centre && reachMetres == map.reachMetres) return;
+  map.casters = casters;
   map.centre = centre;
   map.reachMetres = reachMetres;
   map.mapFromWorld = shadowMatrix(centre, reachMetres);
@@ -202,14 +219,17 @@ void SceneRenderer::drawShadowMap(ShadowMap& map, const Vec2& centre, double rea
   glCullFace(GL_FRONT);
   glUseProgram(blockDepth_.name());
   setMatrix(blockDepth_, "uClipFromWorld", map.mapFromWorld);
-  blockMesh_.draw(blocks, kBlockFloats);
+  blockMesh_.draw(casters.blocks, kBlockFloats);
+  glUseProgram(bodyDepth_.name());
+  setMatrix(bodyDepth_, "uClipFromWorld", map.mapFromWorld);
+  bodyMesh_.draw(casters.bodies, kBodyFloats);
   glCullFace(GL_BACK);
   glDisable(GL_CULL_FACE);
   glDisable(GL_DEPTH_TEST);
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
-void SceneRenderer::setLight(const GlProgram& program, const Picture& picture) const {
+void SceneRenderer::setLight(const GlProgram& program, const Picture& picture, const ShownBody* body) const {
   const Palette& palette = paletteFor(picture.state.view.dark);
   const Vec3 sun = toSun();
   setMatrix(program, "uClipFromWorld", picture.view.clipFromWorld.cast<float>());
@@ -230,9 +250,9 @@ void SceneRenderer::setLight(const GlProgram& program, const Picture& picture) c
   glBindTexture(GL_TEXTURE_2D, nearShadow_.depth.name());
   std::vector<float> from, to;
   Vec3 low = Vec3::Constant(1e9), high = Vec3::Constant(-1e9);
-  const std::size_t count = std::min(picture.body.size(), kMostCapsules);
+  const std::size_t count = body != nullptr ? std::min(body->capsules.size(), kMostCapsules) : 0;
   for (std::size_t i = 0; i < count; ++i) {
-    const Capsule& capsule = picture.body[i];
+    const Capsule& capsule = body->capsules[i];
     push(from, capsule.from.x(), capsule.from.y(), capsule.from.z(), capsule.fromRadius);
     push(to, capsule.to.x(), capsule.to.y(), capsule.to.z(), capsule.toRadius);
     low = low.cwiseMin(capsule.from).cwiseMin(capsule.to);
@@ -266,7 +286,7 @@ void SceneRenderer::drawFloor(const Picture& picture) {
   const Palette& palette = paletteFor(picture.state.view.dark);
   const Scene& scene = picture.state.shownScene();
   glUseProgram(floor_.name());
-  setLight(floor_, picture);
+  setLight(floor_, picture, firstBody(picture));
   glUniform2f(uniformOf(floor_, "uRoom"), f(scene.widthMetres), f(scene.depthMetres));
   glUniform1f(uniformOf(floor_, "uReach"), f(kFloorReachMetres + scene.widthMetres + scene.depthMetres));
   setColour(floor_, "uFloor", palette.floor);
@@ -309,25 +329,22 @@ void SceneRenderer::drawLines(const Picture& picture) {
 
 void SceneRenderer::drawBlocks(const Picture& picture, const std::vector<float>& blocks) {
   glUseProgram(block_.name());
-  setLight(block_, picture);
+  setLight(block_, picture, firstBody(picture));
   blockMesh_.draw(blocks, kBlockFloats);
 }
 
-void SceneRenderer::drawBody(const Picture& picture) {
+void SceneRenderer::drawBodies(const Picture& picture) {
   const Palette& palette = paletteFor(picture.state.view.dark);
-  const Colour& colour = picture.bodyIsBlended ? palette.blendedBody : palette.body;
-  std::vector<float> out;
-  for (const Capsule& capsule : picture.body) {
-    push(out, capsule.from.x(), capsule.from.y(), capsule.from.z(), capsule.fromRadius);
-    push(out, capsule.to.x(), capsule.to.y(), capsule.to.z(), capsule.toRadius);
-    push(out, colour.red, colour.green, colour.blue);
-  }
   glUseProgram(body_.name());
-  setLight(body_, picture);
   const Vec3& eye = picture.view.eye;
-  glUniform3f(uniformOf(body_, "uEye"), f(eye.x()), f(eye.y()), f(eye.z()));
-  setColour(body_, "uFloor", palette.floor);
-  bodyMesh_.draw(out, kBodyFloats);
+  for (const ShownBody& body : picture.bodies) {
+    std::vector<float> out;
+    pushBody(out, body);
+    setLight(body_, picture, &body);
+    glUniform3f(uniformOf(body_, "uEye"), f(eye.x()), f(eye.y()), f(eye.z()));
+    setColour(body_, "uFloor", palette.floor);
+    bodyMesh_.draw(out, kBodyFloats);
+  }
 }
 
 }  // namespace stridegraph

@@ -363,6 +363,7 @@ void main() {
   vec2 h = vKind.zw;
   int kind = int(vKind.x + 0.5);
   float d = 0.0;
+  float stripes = 1.0;
   if (kind == 0) d = length(vLocal) - h.x;                       // disc
   else if (kind == 1) d = abs(length(vLocal) - h.x + vKind.y * 0.5) - vKind.y * 0.5;  // ring
   else if (kind == 2) {                                          // arrow head towards +z
@@ -378,10 +379,19 @@ void main() {
     float fall = clamp(1.0 - out_ / vKind.y, 0.0, 1.0);
     oColour = vec4(vColour.rgb, vColour.a * fall * fall);
     return;
-  } else d = abs(box(vLocal, h)) - vKind.y * 0.5;                // outline
+  } else if (kind == 5) d = abs(box(vLocal, h)) - vKind.y * 0.5; // outline
+  else {                                                         // area, with stripes that far apart if any
+    d = box(vLocal, h);
+    float across = (vLocal.x + vLocal.y) * 0.7071 / max(vKind.y, 1e-3);
+    float stripe = abs(fract(across) - 0.5) * 2.0;
+    float edge = max(2.0 * fwidth(across), 1e-4);
+    float share = mix(0.35, 1.0, smoothstep(0.5 - edge, 0.5 + edge, stripe));
+    // Stripes finer than pixels become their mean.
+    stripes = vKind.y > 0.0 ? mix(share, 0.675, clamp(edge - 0.5, 0.0, 1.0)) : 1.0;
+  }
   float cover = clamp(0.5 - d / max(fwidth(d), 1e-5), 0.0, 1.0);
   if (cover <= 0.0) discard;
-  oColour = vec4(vColour.rgb, vColour.a * cover);
+  oColour = vec4(vColour.rgb, vColour.a * cover * stripes);
 }
 )";
 

@@ -7,9 +7,23 @@
 
 namespace stridegraph {
 
+const Plan* AppState::planOf(std::size_t walker) const {
+  if (!plan || walker > plan->others.size()) return nullptr;
+  return walker == 0 ? &*plan : &plan->others[walker - 1];
+}
+
 double AppState::walkSeconds() const {
-  if (!hasWalk()) return 0.0;
-  return static_cast<double>(plan->walk.frameCount() - 1) / plan->walk.framesPerSecond;
+  double longest = 0.0;
+  for (std::size_t walker = 0; const Plan* const each = planOf(walker); ++walker) {
+    if (each->walk.frameCount() == 0) continue;
+    longest =
+        std::max(longest, static_cast<double>(each->walk.frameCount() - 1) / each->walk.framesPerSecond);
+  }
+  return longest;
+}
+
+double AppState::shownSeconds() const {
+  return canPlay() ? std::min(playback.seconds, walkSeconds()) : playback.seconds;
 }
 
 std::size_t AppState::shownFrame() const {
@@ -28,12 +42,29 @@ std::string sentenceOf(std::string clause) {
   return clause;
 }
 
+/// What becomes of several walkers: the first that does not arrive, or when the last is there.
+std::string sentenceForAll(const AppState& state) {
+  for (std::size_t walker = 0; const Plan* const each = state.planOf(walker); ++walker) {
+    if (each->report.status == PlanStatus::kArrived) continue;
+    return fmt::format("Walker {}: {}", walker + 1, sentenceOf(each->report.explanation));
+  }
+  return fmt::format("All {} walkers arrive, the last after {:.1f} s.", 1 + state.plan->others.size(),
+                     state.walkSeconds());
+}
+
 }  // namespace
+
+bool everyoneArrives(const Plan& plan) {
+  const auto arrives = [](const Plan& each) { return each.report.status == PlanStatus::kArrived; };
+  return arrives(plan) && std::all_of(plan.others.begin(), plan.others.end(), arrives);
+}
 
 std::string statusSentence(const AppState& state) {
   if (!state.library) return "No motion library is loaded.";
   if (!state.planError.empty()) return state.planError;
   if (!state.plan) return "Planning the walk.";
+  if (state.troubleOnWay) return sentenceOf(state.troubleOnWay->explanation);
+  if (!state.plan->others.empty()) return sentenceForAll(state);
   const PlanReport& report = state.plan->report;
   if (report.status == PlanStatus::kArrived) {
     const std::string note =

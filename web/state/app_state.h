@@ -8,23 +8,25 @@
 #include "graph/library.h"
 #include "scene/scene.h"
 #include "state/camera.h"
-#include "walk/plan.h"
+#include "walk/session.h"
 
 namespace stridegraph {
 
-enum class Tool { kSelect, kBlock, kStart, kGoal };
+enum class Tool { kSelect, kBlock, kMoving, kArea, kStart, kGoal, kWalker };
 
-enum class ItemKind { kNothing, kObstacle, kStart, kGoal };
+enum class ItemKind { kNothing, kObstacle, kMoving, kArea, kStart, kGoal };
 
 /// What the pointer touches or has chosen.
 struct Item {
   ItemKind kind = ItemKind::kNothing;
-  std::size_t obstacle = 0;  ///< Index into Scene::obstacles for kObstacle.
+  /// Into Scene::obstacles, moving, or constraints.areas; for start and goal the walker: 0 is the scene's
+  /// own, 1 the first of Scene::walkers.
+  std::size_t index = 0;
 
   bool operator==(const Item&) const = default;
 };
 
-enum class HandleKind { kNone, kBody, kCorner, kEdge, kHeading };
+enum class HandleKind { kNone, kBody, kCorner, kEdge, kHeading, kTrackPoint };
 
 /// A part of an item that can be dragged. For corners and edges, which sides move: -1 low, +1 high, 0
 /// neither.
@@ -33,6 +35,7 @@ struct Handle {
   HandleKind kind = HandleKind::kNone;
   int sideX = 0;
   int sideZ = 0;
+  std::size_t point = 0;  ///< Of a track, for kTrackPoint.
 };
 
 /// A change of the scene that is still under the pointer. It becomes one step of the history when let go.
@@ -71,6 +74,7 @@ struct Replanning {
   double plannedAtSeconds = -1e9;
   double lastMilliseconds = 0.0;  ///< How long the latest plan took.
   unsigned generation = 0;        ///< Grows with every plan, so that what is derived from it can follow.
+  bool wentOn = false;            ///< The walk was under way in an earlier scene and goes on in this one.
 };
 
 struct Playback {
@@ -108,11 +112,13 @@ struct AppState {
   std::optional<Drag> drag;
 
   std::shared_ptr<const MotionLibrary> library;  ///< Null until one is open.
-  std::unique_ptr<const WalkPlanner> planner;    ///< Of that library.
+  std::optional<WalkSession> session;            ///< With that library; null without one.
   PlanSettings settings;
   Replanning replanning;
   std::optional<Plan> plan;
   std::string planError;  ///< Why nothing could be planned at all; empty otherwise.
+  std::optional<PlanReport>
+      troubleOnWay;  ///< Why the walk under way cannot follow an edit; it stays as it was.
 
   Playback playback;
   Camera camera;
@@ -122,11 +128,21 @@ struct AppState {
 
   /// The scene as it stands on screen: with the drag that is under way.
   const Scene& shownScene() const { return drag ? drag->preview : scene; }
+  std::size_t walkerCount() const { return 1 + shownScene().walkers.size(); }
+  /// The plan of a walker, 0 for the first; null while there is none.
+  const Plan* planOf(std::size_t walker) const;
   bool hasWalk() const { return plan && plan->walk.frameCount() > 0; }
+  /// Until the last walker is at its goal; 0 without any walk.
   double walkSeconds() const;
-  /// The walk's frame that is on screen; 0 without a walk.
+  bool canPlay() const { return walkSeconds() > 0.0; }
+  /// The time on screen; without a walk that of the playhead, so that a walk that comes back goes on there.
+  double shownSeconds() const;
+  /// The first walk's frame that is on screen; 0 without a walk.
   std::size_t shownFrame() const;
 };
+
+/// Whether every walker gets to its goal.
+bool everyoneArrives(const Plan& plan);
 
 /// What a plan says to people, in one sentence.
 std::string statusSentence(const AppState& state);

@@ -1,7 +1,9 @@
 #include "state/commands.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "state/items.h"
 #include "state/planning.h"
 
 namespace stridegraph {
@@ -12,9 +14,7 @@ constexpr std::size_t kLongestHistory = 200;
 constexpr double kNoticeSeconds = 6.0;
 
 void dropLostSelection(AppState& state) {
-  const bool lost =
-      state.selection.kind == ItemKind::kObstacle && state.selection.obstacle >= state.scene.obstacles.size();
-  if (lost) state.selection = {};
+  if (!isThere(state.scene, state.selection)) state.selection = {};
 }
 
 void run(AppState& state, const EditScene& edit) {
@@ -63,11 +63,10 @@ void run(AppState& state, const ChooseTool& choose) {
 }
 
 void run(AppState& state, const DeleteSelection&) {
-  if (state.selection.kind != ItemKind::kObstacle) return;
-  Scene scene = state.scene;
-  scene.obstacles.erase(scene.obstacles.begin() + static_cast<std::ptrdiff_t>(state.selection.obstacle));
+  if (!isRemovable(state.scene, state.selection)) return;
+  const Item item = state.selection;
   state.selection = {};
-  run(state, EditScene{"Delete block", scene});
+  run(state, EditScene{"Delete " + kindName(item), without(state.scene, item)});
 }
 
 void run(AppState& state, const ChangeSettings& change) {
@@ -82,10 +81,10 @@ void run(AppState& state, const ChangePlayback& change) {
 }
 
 void run(AppState& state, const StepFrames& step) {
-  if (!state.hasWalk()) return;
+  if (!state.canPlay()) return;
   state.playback.playing = false;
-  const double rate = state.plan->walk.framesPerSecond;
-  const double frame = static_cast<double>(state.shownFrame()) + step.frames;
+  const double rate = state.library->frames.framesPerSecond;
+  const double frame = std::floor(state.shownSeconds() * rate + 1e-6) + step.frames;
   state.playback.seconds = std::clamp(frame / rate, 0.0, state.walkSeconds());
 }
 

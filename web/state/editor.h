@@ -22,8 +22,13 @@ struct PointerAt {
   double reachPoints = 9.0;      ///< How near to a handle is on it; more for fingers.
 };
 
-/// What the pointer would take hold of: handles of the selection first, then start and goal, then blocks.
+/// What the pointer would take hold of: handles of the selection first, then starts and goals, then blocks,
+/// those that move where they are now, then the chosen area. Other areas are chosen by a click, so that the
+/// floor on them still turns the view.
 Handle handleUnder(const AppState& state, const CameraView& view, const PointerAt& pointer);
+
+/// The area on the floor under the pointer, the latest drawn first; nothing where there is none.
+Item areaUnder(const AppState& state, const CameraView& view, const PointerAt& pointer);
 
 /// Where the selection's handles are in the world.
 struct PlacedHandle {

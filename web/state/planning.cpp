@@ -1,23 +1,74 @@
 #include "state/planning.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
 
 namespace stridegraph {
 
 namespace {
 
-constexpr double kFrameMilliseconds = 16.0;
-constexpr double kDragIntervalSeconds = 0.1;
+/// Planning takes at most one part in so many of the time while something is dragged.
+constexpr double kShareOfDrag = 2.0;
 constexpr double kPauseSeconds = 0.12;
 constexpr double kLongestSearchMilliseconds = 2000.0;
+/// While something is dragged: the next move brings another plan anyway.
+constexpr double kLongestDragSearchMilliseconds = 150.0;
 
 bool isDue(const AppState& state) {
-  if (!state.replanning.wanted || !state.planner) return false;
+  if (!state.replanning.wanted || !state.session) return false;
   if (!state.drag) return true;
   const Replanning& when = state.replanning;
   if (state.nowSeconds - when.changedAtSeconds >= kPauseSeconds) return true;
-  return when.lastMilliseconds < kFrameMilliseconds &&
-         state.nowSeconds - when.plannedAtSeconds >= kDragIntervalSeconds;
+  return state.nowSeconds - when.plannedAtSeconds >= kShareOfDrag * when.lastMilliseconds / 1000.0;
+}
+
+bool isSame(const Placement& a, const Placement& b) {
+  return a.position == b.position && a.heading == b.heading;
+}
+
+bool haveSameStarts(const Scene& a, const Scene& b) {
+  return isSame(a.start, b.start) &&
+         std::equal(a.walkers.begin(), a.walkers.end(), b.walkers.begin(), b.walkers.end(),
+                    [](const Walker& v, const Walker& w) { return isSame(v.start, w.start); });
+}
+
+/// The frame from which walks go on when the scene changes; nothing where they begin anew: without a walk, at
+/// either end of it, and where a start is not where it was.
+std::optional<std::size_t> frameUnderWay(const AppState& state) {
+  const Plan& current = state.session->current();
+  const double frame = std::floor(state.playback.seconds * current.walk.framesPerSecond + 1e-6);
+  const bool within = frame >= 1.0 && frame + 1.0 < static_cast<double>(current.walk.frameCount());
+  if (!within || !haveSameStarts(state.session->scene(), state.shownScene())) return std::nullopt;
+  return static_cast<std::size_t>(frame);
+}
+
+/// The one place where the page asks for a plan: the walk under way goes on, or all begin anew.
+Result<void> followScene(AppState& state, const PlanOptions& options) {
+  using Following = WalkSession::Following;
+  const Scene& scene = state.shownScene();
+  if (const std::optional<std::size_t> frame = frameUnderWay(state)) {
+    Result<Following> followed = state.session->follow(scene, *frame, options);
+    if (!followed) return fail(std::move(followed));
+    const bool stuck = *followed == Following::kStuck;
+    if (stuck && state.drag) state.troubleOnWay = state.session->trouble();
+    state.replanning.wentOn = !stuck || state.drag;
+    // Where no way leads on from the present pose, the walk has to begin differently.
+    if (!stuck || state.drag) return {};
+  }
+  state.replanning.wentOn = false;
+  return state.session->plan(scene, options);
+}
+
+PlanOptions optionsOf(const AppState& state, const MillisecondClock& clock) {
+  PlanOptions options;
+  options.planner = state.settings.planner;
+  options.search = state.settings.search;
+  options.goalRadiusMetres = state.settings.goalRadiusMetres;
+  options.budgetMilliseconds = state.drag ? kLongestDragSearchMilliseconds : kLongestSearchMilliseconds;
+  options.clock = clock;
+  return options;
 }
 
 }  // namespace
@@ -28,23 +79,19 @@ void wantPlan(AppState& state) {
 }
 
 bool planWhenDue(AppState& state, const MillisecondClock& clock) {
+  // A walk that went on in another scene than it began in is planned anew once it begins again.
+  if (state.replanning.wentOn && !state.drag && state.shownFrame() == 0) wantPlan(state);
   if (!isDue(state)) return false;
-  PlanOptions options;
-  options.planner = state.settings.planner;
-  options.search = state.settings.search;
-  options.goalRadiusMetres = state.settings.goalRadiusMetres;
-  options.budgetMilliseconds = kLongestSearchMilliseconds;
-  options.clock = clock;
   const double before = clock();
-  Result<Plan> plan = state.planner->plan(state.shownScene(), options);
+  state.troubleOnWay.reset();
+  const Result<void> followed = followScene(state, optionsOf(state, clock));
+  state.planError = followed ? "" : describe(followed.error());
+  state.plan.reset();
+  if (followed) state.plan = state.session->current();
   state.replanning.lastMilliseconds = clock() - before;
   state.replanning.plannedAtSeconds = state.nowSeconds;
   state.replanning.wanted = false;
   ++state.replanning.generation;
-  state.planError = plan ? "" : describe(plan.error());
-  state.plan.reset();
-  if (plan) state.plan = std::move(*plan);
-  state.playback.seconds = std::min(state.playback.seconds, state.walkSeconds());
   return true;
 }
 

@@ -1,5 +1,6 @@
 #include "state/playback.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "math/rotation.h"
@@ -9,12 +10,12 @@ namespace stridegraph {
 namespace {
 
 Pose between(const Clip& clip, double seconds) {
-  const double at = seconds * clip.framesPerSecond;
   const auto last = static_cast<double>(clip.frameCount() - 1);
-  const double whole = std::min(std::floor(at), last);
+  const double at = std::min(seconds * clip.framesPerSecond, last);
+  const double whole = std::floor(at);
   const auto frame = static_cast<std::size_t>(whole);
   const std::size_t next = std::min(frame + 1, clip.frameCount() - 1);
-  const double fraction = std::min(at - whole, 1.0);
+  const double fraction = at - whole;
   const PoseView a = clip.pose(frame);
   const PoseView b = clip.pose(next);
   Pose pose;
@@ -40,7 +41,7 @@ Pose standingAt(const MotionLibrary& library, const Placement& start) {
 }  // namespace
 
 bool advance(AppState& state, double deltaSeconds) {
-  if (!state.playback.playing || !state.hasWalk()) return false;
+  if (!state.playback.playing || !state.canPlay()) return false;
   const double length = state.walkSeconds();
   state.playback.seconds += deltaSeconds * state.playback.speed;
   if (state.playback.seconds <= length) return true;
@@ -62,13 +63,15 @@ Playback playToggled(const AppState& state) {
   return playback;
 }
 
-std::optional<Pose> shownPose(const AppState& state) {
-  if (state.hasWalk())
-    return between(state.plan->walk, std::min(state.playback.seconds, state.walkSeconds()));
-  if (state.library && state.library->frames.frameCount() > 0) {
-    return standingAt(*state.library, state.shownScene().start);
+std::optional<Pose> shownPose(const AppState& state, std::size_t walker) {
+  if (const Plan* const plan = state.planOf(walker); plan != nullptr && plan->walk.frameCount() > 0) {
+    return between(plan->walk, state.shownSeconds());
   }
-  return std::nullopt;
+  const Scene& scene = state.shownScene();
+  if (!state.library || state.library->frames.frameCount() == 0 || walker > scene.walkers.size()) {
+    return std::nullopt;
+  }
+  return standingAt(*state.library, walker == 0 ? scene.start : scene.walkers[walker - 1].start);
 }
 
 }  // namespace stridegraph

@@ -4,6 +4,7 @@
 
 #include "base/hash.h"
 #include "scene/scene_json.h"
+#include "scene/track.h"
 #include "state/playback.h"
 #include "state/walk_marks.h"
 
@@ -29,6 +30,12 @@ const char* nameOf(Tool tool) {
       return "select";
     case Tool::kBlock:
       return "block";
+    case Tool::kMoving:
+      return "moving";
+    case Tool::kArea:
+      return "area";
+    case Tool::kWalker:
+      return "walker";
     case Tool::kStart:
       return "start";
     case Tool::kGoal:
@@ -44,7 +51,13 @@ nlohmann::json planJson(const AppState& state) {
   nlohmann::json marks = nlohmann::json::array();
   for (const WalkMark& mark : walkMarks(report))
     marks.push_back({{"name", mark.name}, {"frame", mark.frame}});
+  nlohmann::json others = nlohmann::json::array();
+  for (const Plan& other : state.plan->others) {
+    others.push_back(
+        {{"status", std::string(planStatusName(other.report.status))}, {"frames", other.report.frames}});
+  }
   return {{"status", std::string(planStatusName(report.status))},
+          {"others", others},
           {"edges", edges},
           {"frames", report.frames},
           {"marks", marks},
@@ -55,6 +68,25 @@ nlohmann::json planJson(const AppState& state) {
           {"total_ms", report.totalMilliseconds}};
 }
 
+nlohmann::json rootsJson(const AppState& state) {
+  nlohmann::json roots = nlohmann::json::array();
+  for (std::size_t walker = 0; walker < state.walkerCount(); ++walker) {
+    const std::optional<Pose> pose = shownPose(state, walker);
+    if (!pose) break;
+    roots.push_back({pose->rootPosition.x(), pose->rootPosition.y(), pose->rootPosition.z()});
+  }
+  return roots;
+}
+
+nlohmann::json movingJson(const AppState& state) {
+  nlohmann::json places = nlohmann::json::array();
+  for (const MovingObstacle& moving : state.shownScene().moving) {
+    const Vec2 at = trackPosition(moving, state.shownSeconds());
+    places.push_back({at.x(), at.y()});
+  }
+  return places;
+}
+
 }  // namespace
 
 std::string toJson(const AppState& state) {
@@ -62,8 +94,13 @@ std::string toJson(const AppState& state) {
       {"sentence", statusSentence(state)},
       {"planning", state.replanning.wanted || state.drag.has_value()},
       {"plans", state.replanning.generation},
+      {"went_on", state.replanning.wentOn},
       {"frame", state.shownFrame()},
+      {"seconds", state.shownSeconds()},
+      {"walk_seconds", state.walkSeconds()},
       {"playing", state.playback.playing},
+      {"roots", rootsJson(state)},
+      {"moving", movingJson(state)},
       {"camera", nameOf(state.camera.mode)},
       {"camera_moving", !(state.camera.current == state.camera.wanted)},
       {"tool", nameOf(state.tool)},
@@ -76,8 +113,7 @@ std::string toJson(const AppState& state) {
       {"library_hash", state.library ? hexDigits(state.library->hash) : ""},
   };
   json["plan"] = state.plan ? planJson(state) : nlohmann::json();
-  const std::optional<Pose> pose = shownPose(state);
-  if (pose) json["root"] = {pose->rootPosition.x(), pose->rootPosition.y(), pose->rootPosition.z()};
+  if (!json["roots"].empty()) json["root"] = json["roots"][0];
   return json.dump();
 }
 

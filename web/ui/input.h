@@ -33,6 +33,8 @@ enum class Key {
   kY,
   kZ,
   kF,
+  kM,
+  kW,
   kCount
 };
 

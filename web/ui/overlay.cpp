@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include "state/editor.h"
+#include "state/items.h"
+#include "state/track_edit.h"
 #include "ui/panels.h"
 #include "ui/style.h"
 
@@ -22,7 +24,7 @@ void drawHandles(const AppState& state, const CameraView& view, const Palette& p
     const float size = placed.handle.kind == HandleKind::kEdge ? 4.0F : 5.5F;
     const ImVec2 low(middle.x - size, middle.y - size), high(middle.x + size, middle.y + size);
     if (round) {
-      const Placement& placement = placed.handle.item.kind == ItemKind::kStart ? scene.start : scene.goal;
+      const Placement& placement = *placementOf(scene, placed.handle.item);
       const std::optional<Vec2> from = view.project({placement.position.x(), 0.0, placement.position.y()});
       if (from) list.AddLine(asImVec2(*from), middle, asImU32(palette.accent.faded(0.7F)), 1.5F);
       list.AddCircleFilled(middle, 6.5F, IM_COL32_WHITE, 20);
@@ -42,23 +44,33 @@ void drawLabel(const std::string& text, ImVec2 at, const Palette& palette, ImDra
   list.AddText(at, asImU32(palette.text), text.c_str());
 }
 
-void drawDragLabel(const AppState& state, const Palette& palette, ImDrawList& list) {
-  const Drag& drag = *state.drag;
+std::string placeText(const Vec2& place) {
+  return fmt::format("{:.2f}, {:.2f} m", place.x(), place.y());
+}
+
+/// What a drag makes of the item under the pointer, in figures.
+std::string dragText(const Drag& drag) {
   const Scene& scene = drag.preview;
-  std::string text;
-  if (drag.handle.item.kind == ItemKind::kObstacle && drag.handle.item.obstacle < scene.obstacles.size()) {
-    const Rectangle& block = scene.obstacles[drag.handle.item.obstacle];
-    text = drag.handle.kind == HandleKind::kBody
-               ? fmt::format("{:.2f}, {:.2f} m", block.centre.x(), block.centre.y())
-               : fmt::format("{:.2f} \xc3\x97 {:.2f} m", block.size.x(), block.size.y());
-  } else {
-    const Placement& placement = drag.handle.item.kind == ItemKind::kStart ? scene.start : scene.goal;
-    text = drag.handle.kind == HandleKind::kHeading && placement.heading
-               ? fmt::format("{:.0f}\xc2\xb0", headingDegrees(placement))
-               : fmt::format("{:.2f}, {:.2f} m", placement.position.x(), placement.position.y());
+  const Item& item = drag.handle.item;
+  if (const Rectangle* const rectangle = rectangleOf(scene, item)) {
+    return drag.handle.kind == HandleKind::kBody
+               ? placeText(rectangle->centre)
+               : fmt::format("{:.2f} \xc3\x97 {:.2f} m", rectangle->size.x(), rectangle->size.y());
   }
+  if (const Placement* const placement = placementOf(scene, item)) {
+    return drag.handle.kind == HandleKind::kHeading && placement->heading
+               ? fmt::format("{:.0f}\xc2\xb0", headingDegrees(*placement))
+               : placeText(placement->position);
+  }
+  if (!isThere(scene, item)) return "";
+  const MovingObstacle& moving = scene.moving[item.index];
+  return fmt::format("{} at {:.1f} m/s", placeText(moving.track[drag.handle.point].position),
+                     trackSpeed(moving));
+}
+
+void drawDragLabel(const AppState& state, const Palette& palette, ImDrawList& list) {
   const ImVec2 mouse = ImGui::GetIO().MousePos;
-  drawLabel(text, ImVec2(mouse.x + 18.0F, mouse.y + 14.0F), palette, list);
+  drawLabel(dragText(*state.drag), ImVec2(mouse.x + 18.0F, mouse.y + 14.0F), palette, list);
 }
 
 void drawNotice(const AppState& state, const Palette& palette, const Layout& layout) {

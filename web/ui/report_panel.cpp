@@ -16,7 +16,7 @@ namespace {
 constexpr float kPanelWidth = 240.0F;
 
 void showStatus(const AppState& state, const Palette& palette) {
-  const bool arrived = state.plan && state.plan->report.status == PlanStatus::kArrived;
+  const bool arrived = state.plan && !state.troubleOnWay && everyoneArrives(*state.plan);
   const Colour& colour = !state.plan && state.planError.empty() ? palette.quietText
                          : arrived                              ? palette.good
                                                                 : palette.problem;
@@ -31,7 +31,6 @@ void showStatus(const AppState& state, const Palette& palette) {
 }
 
 void showFigures(const PlanReport& report, const Palette& palette) {
-  ImGui::Separator();
   figure("Path", fmt::format("{:.2f} m", report.pathLengthMetres), palette);
   if (report.status == PlanStatus::kArrived) {
     figure("Walk", fmt::format("{:.2f} m", report.motionLengthMetres), palette);
@@ -111,6 +110,8 @@ void showReportPanel(const AppState& state, const Layout& layout, Commands& comm
   showStatus(state, palette);
   if (!layout.narrow()) {
     if (state.plan) {
+      ImGui::Separator();
+      if (!state.plan->others.empty()) heading("Walker 1", palette);
       showFigures(state.plan->report, palette);
       showQuality(state, palette, commands);
     }

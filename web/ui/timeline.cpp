@@ -78,7 +78,7 @@ void drawTrack(const AppState& state, const Palette& palette, const Track& track
     list.AddTriangleFilled(ImVec2(at - 4.0F, top), ImVec2(at + 4.0F, top), ImVec2(at, track.corner.y),
                            asImU32(mark.problem ? palette.problem : palette.accent));
   }
-  const double shown = std::min(state.playback.seconds, state.walkSeconds()) * plan.walk.framesPerSecond;
+  const double shown = state.shownSeconds() * plan.walk.framesPerSecond;
   const float x = track.x(shown);
   list.AddLine(ImVec2(x, track.corner.y - 3.0F), ImVec2(x, track.corner.y + kTrackHeight),
                asImU32(palette.text), 2.0F);
@@ -111,7 +111,7 @@ void scrub(const AppState& state, const Track& track, Commands& commands) {
 }
 
 void showButtons(const AppState& state, const Palette& palette, Commands& commands) {
-  const bool can = state.hasWalk();
+  const bool can = state.canPlay();
   Playback playback = state.playback;
   if (iconButton({Icon::kToStart, "to start", "To the start (Home)", false, can}, palette)) {
     playback.seconds = 0.0;
@@ -173,7 +173,7 @@ void showTimeline(const AppState& state, const Layout& layout, Commands& command
   ImGui::EndGroup();
   ImGui::PopStyleVar();
   ImGui::SameLine(0.0F, 14.0F);
-  const double shown = std::min(state.playback.seconds, state.walkSeconds());
+  const double shown = state.canPlay() ? state.shownSeconds() : 0.0;
   const std::string clock = fmt::format("{:.2f} / {:.2f} s", shown, state.walkSeconds());
   const float clockWidth = ImGui::CalcTextSize("00.00 / 00.00 s").x;
   ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -182,7 +182,11 @@ void showTimeline(const AppState& state, const Layout& layout, Commands& command
   const ImVec2 window = ImGui::GetWindowPos();
   corner = layout.narrow() ? ImVec2(window.x + 14.0F, window.y + 54.0F)
                            : ImVec2(corner.x + clockWidth + 14.0F, window.y + 16.0F);
-  const std::size_t frames = state.hasWalk() ? state.plan->walk.frameCount() : 1;
+  // As long as the longest walk; the bars are the first walker's.
+  const std::size_t frames =
+      state.canPlay() ? 1 + static_cast<std::size_t>(
+                                std::lround(state.walkSeconds() * state.library->frames.framesPerSecond))
+                      : 1;
   const Track track{corner, std::max(40.0F, window.x + width - 16.0F - corner.x), frames};
   scrub(state, track, commands);
   drawTrack(state, palette, track);

@@ -1,6 +1,7 @@
 #include <array>
 #include <string>
 
+#include "state/items.h"
 #include "ui/panels.h"
 #include "ui/style.h"
 #include "ui/widgets.h"
@@ -28,17 +29,21 @@ void endBar() {
 
 }  // namespace
 
-void showToolbar(const AppState& state, const Layout&, Commands& commands) {
+void showToolbar(const AppState& state, const Layout& layout, Commands& commands) {
   const Palette& palette = paletteFor(state.view.dark);
   struct ToolButton {
     Tool tool;
     IconButton button;
   };
-  const std::array<ToolButton, 4> tools = {{
+  const std::array<ToolButton, 7> tools = {{
       {Tool::kSelect, {Icon::kSelect, "select", "Select, move and resize (V)"}},
       {Tool::kBlock, {Icon::kBlock, "block", "Draw a block (B)"}},
+      {Tool::kMoving,
+       {Icon::kMoving, "moving", "Draw a moving block: drag from where it is to where it goes (M)"}},
+      {Tool::kArea, {Icon::kArea, "area", "Draw an area to avoid or to prefer (A)"}},
       {Tool::kStart, {Icon::kStart, "start", "Place the start; drag to turn it (S)"}},
       {Tool::kGoal, {Icon::kGoal, "goal", "Place the goal; drag to turn it (G)"}},
+      {Tool::kWalker, {Icon::kWalker, "walker", "Add a walker: drag from its start to its goal (W)"}},
   }};
   beginBar("Tools", ImVec2(kMargin, kMargin), ImVec2(0.0F, 0.0F));
   for (const ToolButton& each : tools) {
@@ -47,8 +52,12 @@ void showToolbar(const AppState& state, const Layout&, Commands& commands) {
     if (iconButton(button, palette)) commands.push_back(ChooseTool{each.tool});
     ImGui::SameLine();
   }
-  ImGui::Dummy(ImVec2(4.0F, 1.0F));
-  ImGui::SameLine();
+  if (layout.narrow()) {
+    ImGui::NewLine();
+  } else {
+    ImGui::Dummy(ImVec2(4.0F, 1.0F));
+    ImGui::SameLine();
+  }
   const auto& past = state.history.past;
   const auto& future = state.history.future;
   const std::string undo = past.empty() ? "Nothing to undo" : "Undo: " + past.back().label + " (Ctrl+Z)";
@@ -60,8 +69,10 @@ void showToolbar(const AppState& state, const Layout&, Commands& commands) {
   if (iconButton({Icon::kRedo, "redo", redo.c_str(), false, !future.empty()}, palette))
     commands.push_back(Redo{});
   ImGui::SameLine();
-  const bool canDelete = state.selection.kind == ItemKind::kObstacle;
-  if (iconButton({Icon::kDelete, "delete", "Delete the chosen block (Del)", false, canDelete}, palette)) {
+  const bool canDelete = isRemovable(state.scene, state.selection);
+  const std::string remove =
+      canDelete ? "Delete the chosen " + kindName(state.selection) + " (Del)" : "Nothing to delete is chosen";
+  if (iconButton({Icon::kDelete, "delete", remove.c_str(), false, canDelete}, palette)) {
     commands.push_back(DeleteSelection{});
   }
   endBar();

@@ -53,14 +53,15 @@ void move(AppState& state, ViewInput& input, const CameraView& view, const Input
   }
 }
 
-void release(AppState& state, ViewInput& input, const InputEvent& event, Commands& commands) {
+void release(AppState& state, ViewInput& input, const CameraView& view, const InputEvent& event,
+             Commands& commands) {
   const bool clicked = (event.position - input.pressedAt).norm() <= kClickPoints;
   if (input.gesture == ViewGesture::kEdit && state.drag) {
     const Commands made = finishDrag(*state.drag);
     commands.insert(commands.end(), made.begin(), made.end());
     state.drag.reset();
   } else if (clicked && input.gesture != ViewGesture::kNone && input.button == 0) {
-    commands.push_back(Select{});
+    commands.push_back(Select{areaUnder(state, view, pointerOf(event))});
   }
   input.gesture = ViewGesture::kNone;
 }
@@ -105,6 +106,15 @@ void toolKey(const AppState& state, Key key, const Viewport& viewport, Commands&
       break;
     case Key::kB:
       commands.push_back(ChooseTool{Tool::kBlock});
+      break;
+    case Key::kM:
+      commands.push_back(ChooseTool{Tool::kMoving});
+      break;
+    case Key::kA:
+      commands.push_back(ChooseTool{Tool::kArea});
+      break;
+    case Key::kW:
+      commands.push_back(ChooseTool{Tool::kWalker});
       break;
     case Key::kS:
       commands.push_back(ChooseTool{Tool::kStart});
@@ -166,7 +176,7 @@ Commands handleEvents(AppState& state, ViewInput& input, const CameraView& view,
         move(state, input, view, event);
         break;
       case InputKind::kRelease:
-        if (event.button == input.button) release(state, input, event, commands);
+        if (event.button == input.button) release(state, input, view, event, commands);
         break;
       case InputKind::kWheel:
         if (!claims.pointer) wheel(state, view, event);

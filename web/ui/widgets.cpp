@@ -36,6 +36,7 @@ struct Pen {
   void dot(float radius) const { list.AddCircleFilled(middle, radius * half, colour, 20); }
 };
 
+constexpr float kFieldLeft = 92.0F;
 constexpr float kPi = std::numbers::pi_v<float>;
 
 void drawTurn(const Pen& pen, float side) {
@@ -108,6 +109,25 @@ void drawToolIcon(const Pen& pen, Icon icon) {
     case Icon::kBlock:
       pen.bar(-0.75F, -0.5F, 0.75F, 0.5F, 2.0F);
       break;
+    case Icon::kMoving:
+      pen.bar(-0.35F, -0.62F, 0.35F, 0.08F, 2.0F);
+      pen.line(-0.5F, 0.58F, 0.5F, 0.58F);
+      pen.fill({-0.95F, 0.58F}, {-0.45F, 0.26F}, {-0.45F, 0.90F});
+      pen.fill({0.95F, 0.58F}, {0.45F, 0.26F}, {0.45F, 0.90F});
+      break;
+    case Icon::kArea:
+      pen.list.AddRect(pen.at(-0.8F, -0.6F), pen.at(0.8F, 0.6F), pen.colour, 2.0F, 0, pen.width);
+      pen.line(-0.5F, 0.5F, 0.1F, -0.5F);
+      pen.line(0.0F, 0.5F, 0.6F, -0.5F);
+      break;
+    case Icon::kWalker:
+      pen.list.AddCircleFilled(pen.at(-0.28F, -0.58F), 0.26F * pen.half, pen.colour, 16);
+      pen.line(-0.28F, -0.25F, -0.28F, 0.25F);
+      pen.line(-0.28F, 0.2F, -0.62F, 0.8F);
+      pen.line(-0.28F, 0.2F, 0.06F, 0.8F);
+      pen.line(0.62F, -0.42F, 0.62F, 0.18F);
+      pen.line(0.32F, -0.12F, 0.92F, -0.12F);
+      break;
     case Icon::kStart:
       pen.ring(0.72F);
       pen.fill({-0.25F, -0.38F}, {-0.25F, 0.38F}, {0.42F, 0.0F});
@@ -178,6 +198,26 @@ void heading(const char* text, const Palette& palette) {
   ImGui::PopStyleColor();
 }
 
+bool section(const char* text, bool openAtFirst, const Palette& palette) {
+  ImGui::Dummy(ImVec2(0.0F, 1.0F));
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  ImGui::PushID(text);
+  bool* const open = ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("open"), openAtFirst);
+  if (ImGui::InvisibleButton("section", ImVec2(width, ImGui::GetTextLineHeight()))) *open = !*open;
+  const bool hovered = ImGui::IsItemHovered();
+  ImGui::PopID();
+  const ImU32 ink = asImU32(hovered ? palette.text : palette.quietText);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddText(corner, ink, text);
+  const ImVec2 middle(corner.x + width - 9.0F, corner.y + ImGui::GetTextLineHeight() / 2.0F);
+  const Pen pen{list, middle, 4.0F, ink, 1.5F};
+  const float tip = *open ? 0.5F : -0.5F;
+  pen.line(-1.0F, -tip, 0.0F, tip);
+  pen.line(0.0F, tip, 1.0F, -tip);
+  return *open;
+}
+
 void figure(const char* name, const std::string& value, const Palette& palette) {
   ImGui::TextColored(asImVec4(palette.quietText), "%s", name);
   const float width = ImGui::CalcTextSize(value.c_str()).x;
@@ -202,11 +242,22 @@ bool figureLink(const char* name, const std::string& value, const char* tooltip,
   return pressed;
 }
 
+int choiceField(const char* label, int current, std::span<const char* const> names) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(label);
+  ImGui::SameLine(kFieldLeft);
+  ImGui::SetNextItemWidth(-1.0F);
+  ImGui::PushID(label);
+  ImGui::Combo("##choice", &current, names.data(), static_cast<int>(names.size()));
+  ImGui::PopID();
+  return current;
+}
+
 bool numberField(const NumberField& field, double& value) {
   ImGui::PushID(field.label);
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(field.label);
-  ImGui::SameLine(92.0F);
+  ImGui::SameLine(kFieldLeft);
   ImGui::SetNextItemWidth(-1.0F);
   const bool changed =
       ImGui::DragScalar("##value", ImGuiDataType_Double, &value, static_cast<float>(field.step), &field.low,

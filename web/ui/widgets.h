@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <span>
 #include <string>
 
 #include "render/palette.h"
@@ -11,8 +12,11 @@ namespace stridegraph {
 enum class Icon {
   kSelect,
   kBlock,
+  kMoving,
+  kArea,
   kStart,
   kGoal,
+  kWalker,
   kUndo,
   kRedo,
   kDelete,
@@ -45,6 +49,9 @@ bool iconButton(const IconButton& button, const Palette& palette);
 /// A quiet heading within a panel.
 void heading(const char* text, const Palette& palette);
 
+/// A heading that opens and closes what is below it; returns whether it is open.
+bool section(const char* text, bool openAtFirst, const Palette& palette);
+
 /// A name on the left, its value on the right.
 void figure(const char* name, const std::string& value, const Palette& palette);
 
@@ -57,6 +64,9 @@ struct NumberField {
   double low, high;
   const char* format = "%.2f";
 };
+/// A choice of few names, the label on the left; returns the chosen one's index.
+int choiceField(const char* label, int current, std::span<const char* const> names);
+
 /// A number to drag, or to type after a double click; the label stands on the left. True while it changes.
 bool numberField(const NumberField& field, double& value);
 

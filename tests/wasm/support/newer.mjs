@@ -18,10 +18,10 @@ function checksum(bytes) {
   return Number((hash ^ (hash >> 32n)) & 0xffffffffn)
 }
 
-/** The link with its version raised and a checksum that holds. */
+/** The link with the greatest version there can be and a checksum that holds. */
 export function newerLink(link) {
   const bytes = Buffer.from(link.slice('s='.length), 'base64url')
-  bytes[0] += 1
+  bytes[0] = 255
   const body = bytes.subarray(0, bytes.length - 4)
   bytes.writeUInt32LE(checksum(body), body.length)
   return `s=${bytes.toString('base64url')}`
