@@ -165,6 +165,8 @@ export interface Joint {
 /** A plan, and the walk when it arrived. Plain values that outlive the library. */
 export interface Walk {
   readonly status: PlanStatus
+  /** Of Library.replan: the walk under way still holds and goes on as it was. */
+  readonly kept: boolean
   readonly report: PlanReport
   readonly fps: number
   /** 0 unless arrived. */

@@ -96,6 +96,7 @@ class Walk {
     this.report = JSON.parse(plan.report)
     this.fps = plan.fps
     this.frames = plan.frames
+    this.kept = plan.kept
     this.joints = skeleton.joints
     this.positions = plan.positions
     this.rotations = Float32Array.from(plan.rotations)

@@ -36,6 +36,16 @@ const reportMembers = [
   'library_hash',
 ]
 
+/** An open room, to be crossed along its middle. */
+const longRoom = () => ({
+  version: 1,
+  width: 18,
+  depth: 12,
+  obstacles: [],
+  start: { x: 2, z: 6, heading_deg: 90 },
+  goal: { x: 16, z: 6 },
+})
+
 let library
 before(() => {
   library = engine.openLibrary(defaultLibraryBytes)
@@ -181,3 +191,71 @@ function rotate([w, x, y, z], [vx, vy, vz]) {
   const [, ...rotated] = multiply(multiply([w, x, y, z], [0, vx, vy, vz]), [w, -x, -y, -z])
   return rotated
 }
+
+describe('replan', () => {
+  it('goes on from the present pose around a new wall', () => {
+    const scene = longRoom()
+    const walk = library.plan(scene)
+    scene.obstacles = [{ x: 9, z: 6, width: 1, depth: 4 }]
+    const onward = library.replan(scene, 2)
+    assert.equal(onward.status, 'arrived')
+    assert.equal(onward.kept, false)
+    assert.ok(onward.report.clearance_m >= -1e-6)
+    const shown = Math.floor(2 * walk.fps) * walk.joints.length * 3
+    assert.deepEqual(onward.positions.slice(0, shown), walk.positions.slice(0, shown))
+  })
+
+  it('keeps a walk that an edit does not concern', () => {
+    const scene = longRoom()
+    const walk = library.plan(scene)
+    scene.obstacles = [{ x: 9, z: 1, width: 1, depth: 1 }]
+    const onward = library.replan(scene, 1)
+    assert.equal(onward.kept, true)
+    assert.equal(onward.frames, walk.frames)
+  })
+
+  it('names a time that the walk does not have', () => {
+    library.plan(longRoom())
+    assert.match(
+      refusalOf(() => library.replan(longRoom(), 1000)).message,
+      /atSeconds is 1000, expected 0 to the walk's/,
+    )
+  })
+
+  it('needs a walk under way', () => {
+    const fresh = engine.openLibrary(defaultLibraryBytes)
+    assert.match(refusalOf(() => fresh.replan(longRoom(), 0)).message, /found no walk under way/)
+    fresh.delete()
+  })
+})
+
+describe('improve', () => {
+  it('finds walks that are no longer, the same every time', () => {
+    const scene = longRoom()
+    scene.obstacles = [{ x: 9, z: 5, width: 1, depth: 7 }]
+    const first = library.plan(scene)
+    const better = library.plan(scene, { improve: 20000 })
+    assert.ok(better.report.expansions > first.report.expansions)
+    assert.deepEqual(better.report.edges, library.plan(scene, { improve: 20000 }).report.edges)
+  })
+})
+
+describe('walkers', () => {
+  it('pass one another without contact', () => {
+    const scene = longRoom()
+    scene.walkers = [{ start: { x: 16, z: 6, heading_deg: 270 }, goal: { x: 2, z: 6 } }]
+    const walk = library.plan(scene)
+    const other = walk.others[0]
+    assert.equal(walk.status, 'arrived')
+    assert.equal(other.status, 'arrived')
+    const placeOf = (one, frame) => {
+      const at = Math.min(frame, one.frames - 1) * one.joints.length * 3
+      return [one.positions[at], one.positions[at + 2]]
+    }
+    for (let frame = 0; frame < Math.max(walk.frames, other.frames); frame++) {
+      const [ax, az] = placeOf(walk, frame)
+      const [bx, bz] = placeOf(other, frame)
+      assert.ok(Math.hypot(ax - bx, az - bz) > 0.8, `at ${frame}`)
+    }
+  })
+})
