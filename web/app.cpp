@@ -96,7 +96,7 @@ Result<void> App::openLibrary(std::span<const std::uint8_t> bytes) {
   Result<MotionLibrary> library = readSgraph(bytes);
   if (!library) return fail(std::move(library));
   state_.library = std::make_shared<const MotionLibrary>(std::move(*library));
-  state_.session.emplace(std::make_shared<const WalkPlanner>(state_.library));
+  state_.planner = std::make_unique<const WalkPlanner>(state_.library);
   bones_ = bonesFor(state_.library->skeleton, state_.library->frames.pose(0));
   state_.plan.reset();
   wantPlan(state_);

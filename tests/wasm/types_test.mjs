@@ -33,13 +33,22 @@ describe('stridegraph.d.ts', () => {
       'startBuild',
     ])
     const library = engine.openLibrary(defaultLibraryBytes)
-    assert.deepEqual(membersOf(library), ['buildReport', 'delete', 'info', 'joints', 'plan', 'toBytes'])
+    assert.deepEqual(membersOf(library), [
+      'buildReport',
+      'delete',
+      'info',
+      'joints',
+      'plan',
+      'replan',
+      'toBytes',
+    ])
     assert.deepEqual(membersOf(library.plan(smallRoom())), [
       'blended',
       'contacts',
       'fps',
       'frames',
       'joints',
+      'others',
       'path',
       'positions',
       'report',

@@ -14,7 +14,7 @@ class PlanningTest : public ::testing::Test {
   PlanningTest() {
     const auto library = std::make_shared<const MotionLibrary>(stridegraph::testing::threeArcs());
     state.library = library;
-    state.session.emplace(std::make_shared<const WalkPlanner>(library));
+    state.planner = std::make_unique<const WalkPlanner>(library);
     state.settings.goalRadiusMetres = 0.4;
     state.scene.start = {{2, 6}, Angle::degrees(90)};
     state.scene.goal = {{9, 6}, {}};

@@ -8,7 +8,7 @@
 #include "graph/library.h"
 #include "scene/scene.h"
 #include "state/camera.h"
-#include "walk/session.h"
+#include "walk/plan.h"
 
 namespace stridegraph {
 
@@ -112,7 +112,7 @@ struct AppState {
   std::optional<Drag> drag;
 
   std::shared_ptr<const MotionLibrary> library;  ///< Null until one is open.
-  std::optional<WalkSession> session;            ///< With that library; null without one.
+  std::unique_ptr<const WalkPlanner> planner;    ///< Of that library.
   PlanSettings settings;
   Replanning replanning;
   std::optional<Plan> plan;

@@ -17,7 +17,7 @@ constexpr double kLongestSearchMilliseconds = 2000.0;
 constexpr double kLongestDragSearchMilliseconds = 150.0;
 
 bool isDue(const AppState& state) {
-  if (!state.replanning.wanted || !state.session) return false;
+  if (!state.replanning.wanted || !state.planner) return false;
   if (!state.drag) return true;
   const Replanning& when = state.replanning;
   if (state.nowSeconds - when.changedAtSeconds >= kPauseSeconds) return true;
@@ -34,31 +34,35 @@ bool haveSameStarts(const Scene& a, const Scene& b) {
                     [](const Walker& v, const Walker& w) { return isSame(v.start, w.start); });
 }
 
-/// The frame from which walks go on when the scene changes; nothing where they begin anew: without a walk, at
-/// either end of it, and where a start is not where it was.
+/// The frame from which walks go on when the scene changes; nothing where they begin anew: where not all
+/// arrive, at either end of the first walk, and where a start is not where it was.
 std::optional<std::size_t> frameUnderWay(const AppState& state) {
-  const Plan& current = state.session->current();
-  const double frame = std::floor(state.playback.seconds * current.walk.framesPerSecond + 1e-6);
-  const bool within = frame >= 1.0 && frame + 1.0 < static_cast<double>(current.walk.frameCount());
-  if (!within || !haveSameStarts(state.session->scene(), state.shownScene())) return std::nullopt;
+  if (!state.plan || !everyoneArrives(*state.plan)) return std::nullopt;
+  const Clip& walk = state.plan->walk;
+  const double frame = std::floor(state.playback.seconds * walk.framesPerSecond + 1e-6);
+  const bool within = frame >= 1.0 && frame + 1.0 < static_cast<double>(walk.frameCount());
+  if (!within || !haveSameStarts(state.plan->scene, state.shownScene())) return std::nullopt;
   return static_cast<std::size_t>(frame);
 }
 
 /// The one place where the page asks for a plan: the walk under way goes on, or all begin anew.
 Result<void> followScene(AppState& state, const PlanOptions& options) {
-  using Following = WalkSession::Following;
   const Scene& scene = state.shownScene();
   if (const std::optional<std::size_t> frame = frameUnderWay(state)) {
-    Result<Following> followed = state.session->follow(scene, *frame, options);
-    if (!followed) return fail(std::move(followed));
-    const bool stuck = *followed == Following::kStuck;
-    if (stuck && state.drag) state.troubleOnWay = state.session->trouble();
+    Result<Plan> next = state.planner->replan(*state.plan, *frame, scene, options);
+    if (!next) return fail(std::move(next));
+    const bool stuck = !everyoneArrives(*next);
     state.replanning.wentOn = !stuck || state.drag;
+    if (stuck && state.drag) state.troubleOnWay = std::move(next->report);
+    if (!stuck) state.plan = std::move(*next);
     // Where no way leads on from the present pose, the walk has to begin differently.
     if (!stuck || state.drag) return {};
   }
   state.replanning.wentOn = false;
-  return state.session->plan(scene, options);
+  Result<Plan> plan = state.planner->plan(scene, options);
+  if (!plan) return fail(std::move(plan));
+  state.plan = std::move(*plan);
+  return {};
 }
 
 PlanOptions optionsOf(const AppState& state, const MillisecondClock& clock) {
@@ -86,8 +90,7 @@ bool planWhenDue(AppState& state, const MillisecondClock& clock) {
   state.troubleOnWay.reset();
   const Result<void> followed = followScene(state, optionsOf(state, clock));
   state.planError = followed ? "" : describe(followed.error());
-  state.plan.reset();
-  if (followed) state.plan = state.session->current();
+  if (!followed) state.plan.reset();
   state.replanning.lastMilliseconds = clock() - before;
   state.replanning.plannedAtSeconds = state.nowSeconds;
   state.replanning.wanted = false;
