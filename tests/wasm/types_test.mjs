@@ -48,6 +48,7 @@ describe('stridegraph.d.ts', () => {
       'fps',
       'frames',
       'joints',
+      'kept',
       'others',
       'path',
       'positions',

@@ -35,7 +35,9 @@ class MapFolder : public ::testing::Test {
     return writeMapFolder(maps, folder_.string());
   }
 
-  const fs::path folder_ = fs::path(::testing::TempDir()) / "stridegraph_map_folder";
+  const fs::path folder_ =
+      fs::path(::testing::TempDir()) / (std::string("stridegraph_map_folder_") +
+                                        ::testing::UnitTest::GetInstance()->current_test_info()->name());
 };
 
 TEST_F(MapFolder, comesBackAsItWasWritten) {

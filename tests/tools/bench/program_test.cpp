@@ -34,7 +34,10 @@ class BenchProgram : public ::testing::Test {
     return std::system((command + " > " + in("log") + " 2>&1").c_str()) == 0;
   }
 
-  const fs::path folder_ = fs::path(::testing::TempDir()) / "stridegraph_bench_program";
+  /// One for each test: they run side by side.
+  const fs::path folder_ =
+      fs::path(::testing::TempDir()) /
+      (std::string("stridegraph_bench_") + ::testing::UnitTest::GetInstance()->current_test_info()->name());
 };
 
 TEST_F(BenchProgram, measuresPathsIntoEveryForm) {
