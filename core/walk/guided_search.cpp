@@ -47,9 +47,9 @@ std::vector<Heading> startHeadings(const MotionQuery& query, const GuidedSearchP
 constexpr std::array<GuidedStage, 3> kStages = {
     {{1.05, 1.0, 0.2, 24, false, 2'000, 30.0}, {1.1, 1.0, 0.2, 24, false, 5'000, 80.0}, {}}};
 /// The same where others move: what they cost is not in the estimate, so little greed finds nothing soon.
-constexpr std::array<GuidedStage, 3> kStagesAmongMovers = {{{1.2, 1.0, 0.2, 24, false, 4'000, 60.0},
-                                                            {1.5, 1.0, 0.2, 24, false, 15'000, 200.0},
-                                                            {2.0, 1.0, 0.2, 24, false, 40'000, 250.0}}};
+constexpr std::array<GuidedStage, 3> kStagesAmongMovers = {{{1.4, 1.0, 0.2, 24, false, 4'000, 60.0},
+                                                            {2.0, 1.0, 0.2, 24, false, 15'000, 200.0},
+                                                            {3.0, 1.0, 0.2, 24, false, 40'000, 250.0}}};
 /// What follows when a stage has run through all states: other first headings, then finer cells.
 constexpr std::array<GuidedStage, 2> kAfterExhaustion = {
     {{1.2, 1.0, 0.2, 24, true, 40'000, 250.0}, {1.2, 1.0, 0.1, 48, true, 150'000, 250.0}}};
