@@ -14,18 +14,24 @@ namespace stridegraph {
 struct Rectangle {
   Vec2 centre = Vec2::Zero();  ///< x, z in metres.
   Vec2 size = Vec2::Ones();    ///< Full width along x and depth along z, metres, > 0.
+
+  bool operator==(const Rectangle&) const = default;
 };
 
 /// A place on the floor with or without a direction.
 struct Placement {
   Vec2 position = Vec2::Zero();
   std::optional<Angle> heading;
+
+  bool operator==(const Placement&) const = default;
 };
 
 /// Where a moving obstacle's centre is at a time.
 struct TrackPoint {
   double seconds = 0.0;
   Vec2 position = Vec2::Zero();
+
+  bool operator==(const TrackPoint&) const = default;
 };
 
 enum class TrackRepeat { kLoop, kPingPong, kOnce };
@@ -35,12 +41,16 @@ struct MovingObstacle {
   Vec2 size = Vec2::Ones();
   TrackRepeat repeat = TrackRepeat::kLoop;
   std::vector<TrackPoint> track;  ///< At least one; times grow.
+
+  bool operator==(const MovingObstacle&) const = default;
 };
 
 /// A further walker beside the scene's first one.
 struct Walker {
   Placement start;
   Placement goal;
+
+  bool operator==(const Walker&) const = default;
 };
 
 enum class Gait { kWalk, kRun };
@@ -51,6 +61,8 @@ enum class AreaKind { kAvoid, kPrefer };
 struct Area {
   Rectangle rectangle;
   AreaKind kind = AreaKind::kAvoid;
+
+  bool operator==(const Area&) const = default;
 };
 
 /// What every walk of a scene keeps to, beyond getting there (Alankus 2005, 4.2.2). Nothing set: anything
@@ -62,10 +74,9 @@ struct WalkConstraints {
   std::optional<double> latestArrivalSeconds;     ///< After the walk's beginning, above 0, at most 3600.
   std::vector<Area> areas;
 
-  bool any() const {
-    return gait || minSpeedMetresPerSecond || maxSpeedMetresPerSecond || latestArrivalSeconds ||
-           !areas.empty();
-  }
+  bool asksForPace() const { return gait || minSpeedMetresPerSecond || maxSpeedMetresPerSecond; }
+  bool any() const { return asksForPace() || latestArrivalSeconds || !areas.empty(); }
+  bool operator==(const WalkConstraints&) const = default;
 };
 
 /// A room to walk in: what users draw, save, and share. The room spans 0..width in x and 0..depth in z.

@@ -36,10 +36,6 @@ class ArrivalTable {
 
   const Arrival& operator[](std::uint32_t arrival) const { return arrivals_[arrival]; }
   std::size_t size() const { return arrivals_.size(); }
-  /// All arrivals of a node.
-  std::span<const std::uint32_t> of(std::uint32_t node) const {
-    return std::span(byNode_).subspan(firstOfNode_[node], firstOfNode_[node + 1] - firstOfNode_[node]);
-  }
   /// Arrivals of a node whose stand lies within `radiusMetres` of a point, seen from the node; cheapest
   /// first.
   std::vector<std::uint32_t> near(std::uint32_t node, const Vec2& point, double radiusMetres) const;

@@ -30,9 +30,6 @@ class ConstraintCost {
   /// How much more a metre costs at a place, 0 or more; nothing where no area says otherwise.
   double perMetreAt(const Vec2& point) const;
 
-  bool asksForPace() const {
-    return constraints_.gait || constraints_.minSpeedMetresPerSecond || constraints_.maxSpeedMetresPerSecond;
-  }
   bool asksForPlaces() const { return !constraints_.areas.empty(); }
 
  private:

@@ -2,46 +2,16 @@
 
 #include <algorithm>
 
-#include "path/floor_plan.h"
-
 namespace stridegraph {
 namespace {
 
-bool sameRectangle(const Rectangle& a, const Rectangle& b) {
-  return a.centre == b.centre && a.size == b.size;
-}
-
-bool samePlace(const Placement& a, const Placement& b) {
-  return a.position == b.position && a.heading == b.heading;
-}
-
-bool sameTrack(const MovingObstacle& a, const MovingObstacle& b) {
-  return a.size == b.size && a.repeat == b.repeat &&
-         std::equal(a.track.begin(), a.track.end(), b.track.begin(), b.track.end(),
-                    [](const TrackPoint& p, const TrackPoint& q) {
-                      return p.seconds == q.seconds && p.position == q.position;
-                    });
-}
-
-bool sameArea(const Area& a, const Area& b) {
-  return a.kind == b.kind && sameRectangle(a.rectangle, b.rectangle);
-}
-
-bool sameConstraints(const WalkConstraints& a, const WalkConstraints& b) {
-  return a.gait == b.gait && a.minSpeedMetresPerSecond == b.minSpeedMetresPerSecond &&
-         a.maxSpeedMetresPerSecond == b.maxSpeedMetresPerSecond &&
-         a.latestArrivalSeconds == b.latestArrivalSeconds &&
-         std::equal(a.areas.begin(), a.areas.end(), b.areas.begin(), b.areas.end(), sameArea);
-}
-
 /// Whether all that a walk depends on, but for obstacles that stand still and the starts, is the same.
 bool sameTask(const Scene& a, const Scene& b) {
-  return a.widthMetres == b.widthMetres && a.depthMetres == b.depthMetres && samePlace(a.goal, b.goal) &&
-         a.radiusMetres == b.radiusMetres && a.seed == b.seed &&
-         std::equal(a.moving.begin(), a.moving.end(), b.moving.begin(), b.moving.end(), sameTrack) &&
+  return a.widthMetres == b.widthMetres && a.depthMetres == b.depthMetres && a.goal == b.goal &&
+         a.radiusMetres == b.radiusMetres && a.seed == b.seed && a.moving == b.moving &&
+         a.constraints == b.constraints &&
          std::equal(a.walkers.begin(), a.walkers.end(), b.walkers.begin(), b.walkers.end(),
-                    [](const Walker& v, const Walker& w) { return samePlace(v.goal, w.goal); }) &&
-         sameConstraints(a.constraints, b.constraints);
+                    [](const Walker& v, const Walker& w) { return v.goal == w.goal; });
 }
 
 bool isFreeFrom(const Plan& plan, std::size_t frame, const FloorPlan& floor) {
@@ -53,14 +23,14 @@ bool isFreeFrom(const Plan& plan, std::size_t frame, const FloorPlan& floor) {
 
 }  // namespace
 
-bool stillHolds(const Plan& walk, std::size_t frame, const Scene& scene) {
-  return sameTask(walk.scene, scene) && isFreeFrom(walk, frame, FloorPlan(scene, walk.report.radiusMetres));
+bool stillHolds(const Plan& walk, std::size_t frame, const Scene& scene, const FloorPlan& floor) {
+  return sameTask(walk.scene, scene) && isFreeFrom(walk, frame, floor);
 }
 
 bool nothingFreed(const Plan& walk, const Scene& scene) {
+  const std::vector<Rectangle>& now = scene.obstacles;
   return std::all_of(walk.scene.obstacles.begin(), walk.scene.obstacles.end(), [&](const Rectangle& before) {
-    return std::any_of(scene.obstacles.begin(), scene.obstacles.end(),
-                       [&](const Rectangle& now) { return sameRectangle(before, now); });
+    return std::find(now.begin(), now.end(), before) != now.end();
   });
 }
 

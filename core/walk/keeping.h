@@ -2,13 +2,15 @@
 
 #include <cstddef>
 
+#include "path/floor_plan.h"
 #include "walk/plan.h"
 
 namespace stridegraph {
 
 /// Whether a walk under way, as it goes on from a frame, touches nothing of an edited scene and leads where
 /// that asks: the same goals, constraints and movers, and room for its disc all along.
-bool stillHolds(const Plan& walk, std::size_t frame, const Scene& scene);
+/// `floor` is the scene's.
+bool stillHolds(const Plan& walk, std::size_t frame, const Scene& scene, const FloorPlan& floor);
 
 /// Whether every obstacle that the walk was planned around still stands where it stood: then no shorter way
 /// can have opened.

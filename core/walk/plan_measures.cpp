@@ -85,8 +85,7 @@ void measureScene(const FinishedWalk& done, PlanReport& report) {
     report.movingClearanceMetres = least;
   }
   const WalkConstraints& constraints = done.scene.constraints;
-  if (constraints.gait || constraints.minSpeedMetresPerSecond || constraints.maxSpeedMetresPerSecond)
-    report.constraintsKept = paceKept(constraints, done.walk);
+  if (constraints.asksForPace()) report.constraintsKept = paceKept(constraints, done.walk);
 }
 
 /// What a walk that arrives leaves to be wished for, in sentences.

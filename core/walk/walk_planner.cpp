@@ -45,6 +45,10 @@ Plan keptIn(const Scene& scene, Plan walk) {
   return walk;
 }
 
+FloorPlan floorOf(const Scene& scene, const PlanOptions& options) {
+  return FloorPlan(scene, options.radiusMetres.value_or(scene.radiusMetres));
+}
+
 std::vector<Vec2> placesOf(const Plan& plan) {
   std::vector<Vec2> places;
   places.reserve(plan.way.size());
@@ -55,21 +59,21 @@ std::vector<Vec2> placesOf(const Plan& plan) {
 /// All walkers of a scene, one after the other.
 class Crowd {
  public:
-  Crowd(const Prepared& prepared, const Scene& scene, const PlanOptions& options, const Plan* current,
-        std::size_t frame)
+  Crowd(const Prepared& prepared, const Scene& scene, const FloorPlan& floor, const PlanOptions& options)
       : prepared_(prepared),
         scene_(scene),
+        floor_(floor),
         options_(options),
-        current_(current),
-        frame_(frame),
-        floor_(scene, options.radiusMetres.value_or(scene.radiusMetres)),
-        obstacles_(floor_.radiusMetres(), prepared.library.frames.framesPerSecond) {
+        obstacles_(floor.radiusMetres(), prepared.library.frames.framesPerSecond) {
     for (const MovingObstacle& obstacle : scene.moving) obstacles_.addObstacle(obstacle);
     walkers_.push_back({scene.start, scene.goal});
     walkers_.insert(walkers_.end(), scene.walkers.begin(), scene.walkers.end());
   }
 
-  Plan run() {
+  /// Walks begin anew, or go on from a frame of `current`.
+  Plan run(const Plan* current = nullptr, std::size_t frame = 0) {
+    current_ = current;
+    frame_ = frame;
     std::vector<std::size_t> order(walkers_.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
     std::vector<Plan> best;
@@ -135,10 +139,10 @@ class Crowd {
 
   const Prepared& prepared_;
   const Scene& scene_;
+  const FloorPlan& floor_;
   const PlanOptions& options_;
-  const Plan* current_;
-  std::size_t frame_;
-  FloorPlan floor_;
+  const Plan* current_ = nullptr;
+  std::size_t frame_ = 0;
   Traffic obstacles_;
   std::vector<Walker> walkers_;
   std::vector<Plan> plans_;
@@ -156,7 +160,8 @@ Result<Plan> WalkPlanner::plan(const Scene& scene, const PlanOptions& options) c
   if (auto checked = checkScene(scene); !checked) return fail(std::move(checked));
   if (auto checked = checkOptions(options); !checked) return fail(std::move(checked));
   const Prepared prepared{*library_, tables_, feet_, sources_};
-  return Crowd(prepared, scene, options, nullptr, 0).run();
+  const FloorPlan floor = floorOf(scene, options);
+  return Crowd(prepared, scene, floor, options).run();
 }
 
 Result<Plan> WalkPlanner::replan(const Plan& current, std::size_t frame, const Scene& scene,
@@ -167,10 +172,11 @@ Result<Plan> WalkPlanner::replan(const Plan& current, std::size_t frame, const S
     return fail(ErrorCode::kInvalidArgument,
                 fmt::format("walkers: found {}, expected {} as in the walk under way", scene.walkers.size(),
                             current.others.size()));
-  const bool holds = allArrive(current) && stillHolds(current, frame, scene);
+  const FloorPlan floor = floorOf(scene, options);
+  const bool holds = allArrive(current) && stillHolds(current, frame, scene, floor);
   if (holds && nothingFreed(current, scene)) return keptIn(scene, current);
   const Prepared prepared{*library_, tables_, feet_, sources_};
-  Plan other = Crowd(prepared, scene, options, &current, frame).run();
+  Plan other = Crowd(prepared, scene, floor, options).run(&current, frame);
   const bool worthTurning =
       allArrive(other) && metresLeft(other, frame) <= (1.0 - kWorthTurning) * metresLeft(current, frame);
   return holds && !worthTurning ? keptIn(scene, current) : other;

@@ -1,4 +1,5 @@
 #include "state/playback.h"
+#include "walk/keeping.h"
 
 #include <gtest/gtest.h>
 
@@ -57,8 +58,8 @@ TEST(Playback, keepsItsTimeWhileThereIsNoWalk) {
 TEST(Playback, saysWhoDoesNotArrive) {
   EXPECT_EQ(statusSentence(stateWithTwo(11, 31)), "All 2 walkers arrive, the last after 3.0 s.");
   EXPECT_EQ(statusSentence(stateWithTwo(11, 0)), "Walker 2: A wall is in the way.");
-  EXPECT_FALSE(everyoneArrives(*stateWithTwo(11, 0).plan));
-  EXPECT_TRUE(everyoneArrives(*stateWithTwo(11, 31).plan));
+  EXPECT_FALSE(allArrive(*stateWithTwo(11, 0).plan));
+  EXPECT_TRUE(allArrive(*stateWithTwo(11, 31).plan));
 }
 
 }  // namespace

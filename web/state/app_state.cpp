@@ -54,11 +54,6 @@ std::string sentenceForAll(const AppState& state) {
 
 }  // namespace
 
-bool everyoneArrives(const Plan& plan) {
-  const auto arrives = [](const Plan& each) { return each.report.status == PlanStatus::kArrived; };
-  return arrives(plan) && std::all_of(plan.others.begin(), plan.others.end(), arrives);
-}
-
 std::string statusSentence(const AppState& state) {
   if (!state.library) return "No motion library is loaded.";
   if (!state.planError.empty()) return state.planError;

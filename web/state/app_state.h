@@ -141,9 +141,6 @@ struct AppState {
   std::size_t shownFrame() const;
 };
 
-/// Whether every walker gets to its goal.
-bool everyoneArrives(const Plan& plan);
-
 /// What a plan says to people, in one sentence.
 std::string statusSentence(const AppState& state);
 

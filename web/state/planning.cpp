@@ -1,4 +1,5 @@
 #include "state/planning.h"
+#include "walk/keeping.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,20 +25,16 @@ bool isDue(const AppState& state) {
   return state.nowSeconds - when.plannedAtSeconds >= kShareOfDrag * when.lastMilliseconds / 1000.0;
 }
 
-bool isSame(const Placement& a, const Placement& b) {
-  return a.position == b.position && a.heading == b.heading;
-}
-
 bool haveSameStarts(const Scene& a, const Scene& b) {
-  return isSame(a.start, b.start) &&
+  return a.start == b.start &&
          std::equal(a.walkers.begin(), a.walkers.end(), b.walkers.begin(), b.walkers.end(),
-                    [](const Walker& v, const Walker& w) { return isSame(v.start, w.start); });
+                    [](const Walker& v, const Walker& w) { return v.start == w.start; });
 }
 
 /// The frame from which walks go on when the scene changes; nothing where they begin anew: where not all
 /// arrive, at either end of the first walk, and where a start is not where it was.
 std::optional<std::size_t> frameUnderWay(const AppState& state) {
-  if (!state.plan || !everyoneArrives(*state.plan)) return std::nullopt;
+  if (!state.plan || !allArrive(*state.plan)) return std::nullopt;
   const Clip& walk = state.plan->walk;
   const double frame = std::floor(state.playback.seconds * walk.framesPerSecond + 1e-6);
   const bool within = frame >= 1.0 && frame + 1.0 < static_cast<double>(walk.frameCount());
@@ -51,7 +48,7 @@ Result<void> followScene(AppState& state, const PlanOptions& options) {
   if (const std::optional<std::size_t> frame = frameUnderWay(state)) {
     Result<Plan> next = state.planner->replan(*state.plan, *frame, scene, options);
     if (!next) return fail(std::move(next));
-    const bool stuck = !everyoneArrives(*next);
+    const bool stuck = !allArrive(*next);
     state.replanning.wentOn = !stuck || state.drag;
     if (stuck && state.drag) state.troubleOnWay = std::move(next->report);
     if (!stuck) state.plan = std::move(*next);

@@ -8,6 +8,7 @@
 #include "ui/panels.h"
 #include "ui/style.h"
 #include "ui/widgets.h"
+#include "walk/keeping.h"
 
 namespace stridegraph {
 
@@ -16,7 +17,7 @@ namespace {
 constexpr float kPanelWidth = 240.0F;
 
 void showStatus(const AppState& state, const Palette& palette) {
-  const bool arrived = state.plan && !state.troubleOnWay && everyoneArrives(*state.plan);
+  const bool arrived = state.plan && !state.troubleOnWay && allArrive(*state.plan);
   const Colour& colour = !state.plan && state.planError.empty() ? palette.quietText
                          : arrived                              ? palette.good
                                                                 : palette.problem;

@@ -19,7 +19,7 @@ TEST(ConstraintCost, isNothingWhereNothingIsAskedFor) {
   const ConstraintCost cost(none, kFramesPerSecond);
   EXPECT_EQ(cost.ofPace(wayOf(3.0, 30)), 0.0);
   EXPECT_EQ(cost.perMetreAt({1, 1}), 0.0);
-  EXPECT_FALSE(cost.asksForPace());
+  EXPECT_FALSE(none.asksForPace());
   EXPECT_FALSE(cost.asksForPlaces());
 }
 
