@@ -146,6 +146,8 @@ export interface PlanReport {
   arrival_heading_error_deg?: number
   /** How the end of the walk was bent to arrive: over its last metres, at most so much. */
   arrival_warp: { last_m: number; stretch: number; deg_per_m: number }
+  /** Share of the walk's frames whose way is bent a little from the captured one, 0..1. */
+  bent_share: number
   starts_standing: boolean
   ends_standing: boolean
   library_hash: string

@@ -7,6 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include "walk/bent_step.h"
+
 namespace stridegraph {
 namespace {
 
@@ -139,9 +141,7 @@ class Bending {
       const BentStep& bent = steps_[k];
       FloorTransform step = bent.step;
       step.translation *= 1.0 + bent.change.stretch;
-      // The turn comes first, so that it bends this step too.
-      const Heading turn = Heading::fromAngle(Angle::radians(bent.change.turnPerMetre * bent.metres));
-      end[k + 1] = end[k] * FloorTransform{Vec2::Zero(), turn} * step;
+      end[k + 1] = end[k] * bentStep(step, Angle::radians(bent.change.turnPerMetre));
     }
   }
 

@@ -45,6 +45,8 @@ struct ArrivalTable::Building {
     into.resize(graph.nodeCount());
     for (std::uint32_t node = 0; node < graph.nodeCount(); ++node) {
       for (const SearchEdge& edge : graph.edgesFrom(node)) {
+        // Ways as captured will do: a walk's end is bent to the goal anyway.
+        if (edge.bendRadians > 0.0) continue;
         const std::uint32_t index = graph.indexOf(edge);
         if (edge.to != SearchEdge::kNone) into[edge.to].emplace_back(node, index);
         if (edge.settledSample == SearchEdge::kNone) continue;

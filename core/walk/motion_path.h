@@ -14,6 +14,7 @@ struct WalkStep {
   MotionPiece piece;
   std::uint32_t begin = 0;  ///< Position that the walk has when the step begins; not shown again.
   std::uint32_t end = 0;    ///< Position after the step, >= begin.
+  Angle turnPerMetre = {};  ///< Added to the captured way (bentStep).
 };
 
 /// A way through the graph, laid out on the floor: what a motion search finds and synthesis turns into

@@ -92,6 +92,7 @@ struct PlanReport {
   double arrivalErrorMetres = 0.0;           ///< From the last root to the goal, over the floor.
   std::optional<Angle> arrivalHeadingError;  ///< From the last facing to the goal's heading, if it has one.
   ArrivalWarp arrivalWarp;                   ///< How the walk's end was bent to get there.
+  double bentShare = 0.0;                    ///< Share of the walk's frames that are bent (bentStep).
   /// Smallest distance of the disc's rim from anything that moves, metres; not set where nothing does.
   std::optional<double> movingClearanceMetres;
   /// Share of the walk that keeps to the scene's gait and speed; not set where it asks for none.

@@ -114,9 +114,11 @@ std::string caveats(const FinishedWalk& done, const PlanReport& report) {
   return fmt::format("{}", fmt::join(sentences, "; "));
 }
 
-/// Notes which frames of the library the walk plays: a clip piece may be entered and left on its way.
+/// Notes which frames of the library the walk plays, a clip piece may be entered and left on its way, and how
+/// many of them are bent.
 void noteEdges(const MotionPath& motion, PlanReport& report) {
   std::size_t shown = 1;
+  std::size_t bent = 0;
   for (const WalkStep& step : motion.steps) {
     FrameIndex from = step.piece.from;
     FrameIndex to = step.piece.to;
@@ -129,7 +131,9 @@ void noteEdges(const MotionPath& motion, PlanReport& report) {
     }
     report.edges.emplace_back(from, to);
     shown += step.end - step.begin;
+    if (step.turnPerMetre != Angle{}) bent += step.end - step.begin;
   }
+  report.bentShare = static_cast<double>(bent) / static_cast<double>(shown);
 }
 
 }  // namespace

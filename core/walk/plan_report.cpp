@@ -69,6 +69,7 @@ nlohmann::ordered_json objectOf(const PlanReport& report) {
   json["arrival_warp"] = {{"last_m", report.arrivalWarp.metres},
                           {"stretch", report.arrivalWarp.stretch},
                           {"deg_per_m", report.arrivalWarp.turnPerMetre.degrees()}};
+  json["bent_share"] = report.bentShare;
   json["starts_standing"] = report.startsStanding;
   json["ends_standing"] = report.endsStanding;
   json["library_hash"] = hexDigits(report.libraryHash);

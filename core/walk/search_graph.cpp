@@ -1,9 +1,11 @@
 #include "walk/search_graph.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/check.h"
 #include "graph/jerks.h"
+#include "walk/bent_step.h"
 #include "walk/piece_motion.h"
 #include "walk/standing.h"
 
@@ -14,6 +16,9 @@ constexpr std::uint32_t kNone = SearchEdge::kNone;
 
 /// Only every second frame is offered as a first one: neighbours start walks that hardly differ.
 constexpr std::uint32_t kStartStride = 2;
+
+/// A way that bending would turn by less than this is there only as captured.
+constexpr Angle kLeastBend = Angle::degrees(0.5);
 
 /// A walk that begins with standing shows the body stand for so many frames more.
 constexpr std::uint32_t kStandsOn = 4;
@@ -39,7 +44,7 @@ class SearchGraphBuilder {
     findDecisions();
     for (const std::uint32_t node : decisions_) {
       graph_.firstEdge_.push_back(static_cast<std::uint32_t>(graph_.edges_.size()));
-      for (const std::uint32_t link : linksFrom_[node]) graph_.edges_.push_back(follow(links_[link], 0));
+      for (const std::uint32_t link : linksFrom_[node]) addWays(links_[link]);
     }
     graph_.firstEdge_.push_back(static_cast<std::uint32_t>(graph_.edges_.size()));
     for (const SearchEdge& edge : graph_.edges_) {
@@ -97,24 +102,31 @@ class SearchGraphBuilder {
       graph_.decisionAt_[library_.graph.nodes[n].value] = decisionOf_[n];
   }
 
-  /// Follows a link from a position on it, and what comes after, to the next decision.
-  SearchEdge follow(const Link& first, std::uint32_t begin) {
+  /// The ways from a node along a link: as captured, and bent to either side where they lead on.
+  void addWays(const Link& link) {
+    graph_.edges_.push_back(follow(link, 0));
+    const SearchEdge& captured = graph_.edges_.back();
+    const Angle bend = SearchGraph::kBendPerMetre;
+    if (captured.to == kNone || bend * captured.lengthMetres < kLeastBend) return;
+    graph_.edges_.push_back(follow(link, 0, bend));
+    graph_.edges_.push_back(follow(link, 0, -bend));
+  }
+
+  /// Follows a link from a position on it, and what comes after, to the next decision; bent all along.
+  SearchEdge follow(const Link& first, std::uint32_t begin, Angle turnPerMetre = {}) {
     SearchEdge way;
     way.firstSample = static_cast<std::uint32_t>(graph_.samples_.size());
     way.firstStep = static_cast<std::uint32_t>(graph_.steps_.size());
-    FloorTransform wayFromLink = first.track[begin].inverse();
     const Link* link = &first;
     for (;;) {
-      appendSamples(*link, begin, wayFromLink, way);
-      graph_.steps_.push_back({link->piece, begin, link->piece.frames});
+      graph_.steps_.push_back({link->piece, begin, link->piece.frames, turnPerMetre});
+      appendSamples(*link, graph_.steps_.back(), way);
       if (link->piece.kind == EdgeKind::kTransition) {
         ++way.transitions;
         way.transitionDistanceMetres += static_cast<double>(link->piece.distanceMetres);
       }
-      way.end = wayFromLink * link->track[link->piece.frames];
       way.to = link->to == kNone ? kNone : decisionOf_[link->to];
       if (way.to != kNone || link->to == kNone) break;
-      wayFromLink = way.end;
       link = &links_[linksFrom_[link->to].front()];
       begin = 0;
     }
@@ -123,20 +135,23 @@ class SearchGraphBuilder {
     return way;
   }
 
-  void appendSamples(const Link& link, std::uint32_t begin, const FloorTransform& wayFromLink,
-                     SearchEdge& way) {
-    Vec2 before = wayFromLink * link.track[begin].translation;
-    for (std::uint32_t p = begin + 1; p <= link.piece.frames; ++p) {
-      const FloorTransform placement = wayFromLink * link.track[p];
-      way.lengthMetres += (placement.translation - before).norm();
-      before = placement.translation;
+  /// Lays a step out behind the end of a way.
+  void appendSamples(const Link& link, const WalkStep& step, SearchEdge& way) {
+    const FloorTransform wayFromLink = way.end * link.track[step.begin].inverse();
+    for (std::uint32_t p = step.begin + 1; p <= step.end; ++p) {
+      const FloorTransform going = link.track[p - 1].inverse() * link.track[p];
+      const double metres = going.translation.norm();
+      way.lengthMetres += metres;
+      way.bendRadians += std::abs(step.turnPerMetre.radians()) * metres;
+      way.end = step.turnPerMetre == Angle{} ? wayFromLink * link.track[p]
+                                             : way.end * bentStep(going, step.turnPerMetre);
       if (way.settledSample == kNone && link.piece.kind == EdgeKind::kClipPiece &&
           standing_[link.piece.from.value + p] == Standing::kSettled) {
         way.settledSample = static_cast<std::uint32_t>(graph_.samples_.size()) - way.firstSample;
-        way.settledEnd = placement;
+        way.settledEnd = way.end;
       }
-      graph_.samples_.push_back(placement.translation.cast<float>());
-      graph_.headings_.push_back(placement.heading.direction().cast<float>());
+      graph_.samples_.push_back(way.end.translation.cast<float>());
+      graph_.headings_.push_back(way.end.heading.direction().cast<float>());
     }
   }
 

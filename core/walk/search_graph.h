@@ -24,6 +24,7 @@ struct SearchEdge {
   FloorTransform settledEnd;            ///< Placement there, relative to the one at the edge's beginning.
   FloorTransform end;                   ///< Placement at the end, relative to the placement at its beginning.
   double lengthMetres = 0.0;            ///< Of the root's way over the floor.
+  double bendRadians = 0.0;             ///< Turn that bending adds to it, to whichever side.
   std::uint32_t transitions = 0;        ///< Blends on it.
   double transitionDistanceMetres = 0.0;  ///< Sum of their distances.
 };
@@ -35,10 +36,16 @@ struct SearchStart {
 };
 
 /// A library prepared for searching: nodes with only one way on are passed over, and every way knows its
-/// track. A walk may also begin with frames before the first node of their clip and end with frames behind
-/// the last one, where the body comes to a stand. Built once for a library; immutable.
+/// track. Each way is there as captured and bent a little to either side, so that a walk can keep to a
+/// direction or a curve that no clip shows. A walk may also begin with frames before the first node of their
+/// clip and end with frames behind the last one, where the body comes to a stand. Built once for a library;
+/// immutable.
 class SearchGraph {
  public:
+  /// By how much ways are bent. A planted foot turns by about half of it during a step; measured on walks
+  /// over all test maps, feet slide less than in the captured clips, and joints are driven no harder.
+  static constexpr Angle kBendPerMetre = Angle::degrees(15.0);
+
   explicit SearchGraph(const MotionLibrary& library);
 
   std::size_t nodeCount() const { return firstEdge_.size() - 1; }

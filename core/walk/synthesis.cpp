@@ -4,6 +4,7 @@
 
 #include "base/check.h"
 #include "motion/transition_blend.h"
+#include "walk/bent_step.h"
 #include "walk/piece_motion.h"
 
 namespace stridegraph {
@@ -23,11 +24,16 @@ void visitFrames(const MotionLibrary& library, const MotionPath& path, const Vis
   bool begins = true;
   for (const WalkStep& step : path.steps) {
     const PieceMotion motion(library, step.piece);
-    const FloorTransform roomFromPiece = shown * motion.placement(step.begin).inverse();
+    FloorTransform captured = motion.placement(step.begin);
+    FloorTransform roomFromPiece = shown * captured.inverse();
     if (begins) visit(step, motion, roomFromPiece, step.begin, shown);
     begins = false;
     for (std::uint32_t p = step.begin + 1; p <= step.end; ++p) {
-      shown = roomFromPiece * motion.placement(p);
+      const FloorTransform next = motion.placement(p);
+      if (step.turnPerMetre != Angle{})
+        roomFromPiece = shown * bentStep(captured.inverse() * next, step.turnPerMetre) * next.inverse();
+      shown = roomFromPiece * next;
+      captured = next;
       visit(step, motion, roomFromPiece, p, shown);
     }
   }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "walk/test_library.h"
 
@@ -16,7 +17,8 @@ using testing::threeArcsAndAStop;
 TEST(SearchGraph, keepsOnlyNodesWithAChoice) {
   const SearchGraph graph(threeArcs());
   ASSERT_EQ(graph.nodeCount(), 3U);
-  for (std::size_t node = 0; node < graph.nodeCount(); ++node) EXPECT_EQ(graph.edgesFrom(node).size(), 3U);
+  // Three ways on from each, as captured and bent to either side.
+  for (std::size_t node = 0; node < graph.nodeCount(); ++node) EXPECT_EQ(graph.edgesFrom(node).size(), 9U);
 }
 
 TEST(SearchGraph, waysRunThroughNodesWithoutAChoice) {
@@ -35,6 +37,33 @@ TEST(SearchGraph, samplesEndWhereTheWayEnds) {
     for (const SearchEdge& way : graph.edgesFrom(node)) {
       EXPECT_LT((graph.samplesOf(way).back().cast<double>() - way.end.translation).norm(), 1e-5);
     }
+  }
+}
+
+TEST(SearchGraph, bentWaysPlayTheSameFramesAndTurnFurtherWithEveryMetre) {
+  const SearchGraph graph(threeArcs());
+  for (std::size_t node = 0; node < graph.nodeCount(); ++node) {
+    const auto ways = graph.edgesFrom(node);
+    for (std::size_t way = 0; way < ways.size(); way += 3) {
+      const SearchEdge& captured = ways[way];
+      EXPECT_EQ(captured.bendRadians, 0.0);
+      for (const int side : {1, -1}) {
+        const SearchEdge& bent = ways[side > 0 ? way + 1 : way + 2];
+        EXPECT_EQ(bent.to, captured.to);
+        EXPECT_EQ(bent.sampleCount, captured.sampleCount);
+        EXPECT_NEAR(bent.lengthMetres, captured.lengthMetres, 1e-9);
+        const double added = (bent.end.heading - captured.end.heading).angle().degrees();
+        EXPECT_NEAR(added, side * 15.0 * captured.lengthMetres, 1e-6);
+        EXPECT_NEAR(bent.bendRadians, std::abs(Angle::degrees(added).radians()), 1e-9);
+      }
+    }
+  }
+}
+
+TEST(SearchGraph, bendsNoWayThatEndsTheWalk) {
+  const SearchGraph graph(threeArcsAndAStop());
+  for (const SearchEdge& way : graph.edges()) {
+    EXPECT_TRUE(way.to != SearchEdge::kNone || way.bendRadians == 0.0);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "walk/search_graph.h"
 #include "walk/test_library.h"
 
 namespace stridegraph {
@@ -32,6 +33,44 @@ TEST(Synthesise, showsEveryFrameOnce) {
   EXPECT_EQ(walk.clip.frameCount(), 1U + 8U + 12U + 6U);
   for (std::size_t f = 1; f < walk.clip.frameCount(); ++f) {
     EXPECT_NEAR((walk.clip.rootPositions[f] - walk.clip.rootPositions[f - 1]).norm(), kStepMetres, 2e-3) << f;
+  }
+}
+
+/// A straight piece of 12 frames, bent by 20 degrees a metre to the right.
+MotionPath straightBent() {
+  return {{{2, 3}, Heading::fromAngle(Angle::degrees(90))},
+          {{pieceOfEdge(0), 0, 12, Angle::degrees(20)}}};
+}
+
+TEST(Synthesise, laysBentStepsOutOnAnArc) {
+  const SynthesisedWalk walk = synthesise(threeArcs(), straightBent());
+  // A chord polygon: every step as long as captured, and turned by 20 degrees times its length.
+  FloorTransform at = {{2, 3}, Heading::fromAngle(Angle::degrees(90))};
+  const Heading turn = Heading::fromAngle(Angle::degrees(20 * kStepMetres));
+  for (std::size_t f = 1; f <= 12; ++f) {
+    at = at * FloorTransform{turn.rotate({0, kStepMetres}), turn};
+    EXPECT_LT((walk.placements[f].translation - at.translation).norm(), 1e-6) << f;
+    EXPECT_LT((Vec2(walk.clip.rootPositions[f].x(), walk.clip.rootPositions[f].z()) - at.translation).norm(),
+              1e-6)
+        << f;
+    EXPECT_NEAR(separateHeading(walk.clip.pose(f).rotations[0]).heading.angle().degrees(),
+                at.heading.angle().degrees(), 1e-5)
+        << f;
+  }
+}
+
+TEST(Synthesise, bendsTheWayThatTheSearchHasBent) {
+  const MotionLibrary library = threeArcs();
+  const SearchGraph graph(library);
+  for (const SearchEdge& way : graph.edgesFrom(0)) {
+    const auto steps = graph.stepsOf(way);
+    const std::vector<FloorTransform> placements =
+        placementsAlong(library, {{}, {steps.begin(), steps.end()}});
+    const auto samples = graph.samplesOf(way);
+    ASSERT_EQ(placements.size(), samples.size() + 1);
+    for (std::size_t s = 0; s < samples.size(); ++s)
+      EXPECT_LT((placements[s + 1].translation - samples[s].cast<double>()).norm(), 1e-5) << s;
+    EXPECT_LT((placements.back().translation - way.end.translation).norm(), 1e-9);
   }
 }
 

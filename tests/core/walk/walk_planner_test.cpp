@@ -309,6 +309,7 @@ TEST(PlanReport, holdsEveryFigureOfTheContract) {
                              "foot_skate_cm_s",
                              "arrival_error_m",
                              "arrival_warp",
+                             "bent_share",
                              "starts_standing",
                              "ends_standing",
                              "library_hash",
