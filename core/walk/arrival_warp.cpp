@@ -12,13 +12,16 @@
 namespace stridegraph {
 namespace {
 
-/// Lengths of the bent end that are tried, metres.
-constexpr std::array<double, 7> kLengthsMetres = {3.0, 4.0, 5.5, 8.0, 12.0, 20.0, 40.0};
+/// Lengths of the bent end that are tried, metres; the shortest only where all longer ones touch something.
+constexpr std::array<double, 6> kLengthsMetres = {3.0, 4.0, 5.5, 8.0, 2.0, 1.2};
 
 /// Share of the bent end over which the bending grows from nothing to its full weight.
 constexpr double kGrowingShare = 0.35;
 
-constexpr int kMostSteps = 12;  ///< Of Newton's method; three are usual.
+constexpr int kMostSteps = 6;  ///< Of Newton's method; three are usual.
+
+/// A first step of Newton's method that goes this much beyond the limits will not come back.
+constexpr double kHopeless = 1.5;
 
 /// How a step of the root is changed.
 struct StepChange {
@@ -51,11 +54,10 @@ class Bending {
     std::vector<FloorTransform> end(way_.end() - static_cast<std::ptrdiff_t>(steps_.size() + 1), way_.end());
     for (int i = 0; i < kMostSteps && !isExact(end.back()); ++i) {
       improve(end);
+      if (exceeds(kHopeless)) return std::nullopt;
       layOut(end);
     }
-    if (!isExact(end.back()) || largest().stretch > params_.stretch ||
-        largest().turnPerMetre > params_.turnPerMetre.radians())
-      return std::nullopt;
+    if (!isExact(end.back()) || exceeds(1.0)) return std::nullopt;
     std::vector<FloorTransform> bent(way_.begin(), way_.end());
     std::copy(end.begin(), end.end(), bent.end() - static_cast<std::ptrdiff_t>(end.size()));
     return bent;
@@ -78,6 +80,13 @@ class Bending {
     double turn = 0.0;
     if (goal_.heading) turn = (Heading::fromAngle(*goal_.heading) - end.heading).angle().radians();
     return {missing.x(), missing.y(), turn};
+  }
+
+  /// Whether a change is more than so many times its limit.
+  bool exceeds(double times) const {
+    const StepChange most = largest();
+    return most.stretch > times * params_.stretch ||
+           most.turnPerMetre > times * params_.turnPerMetre.radians();
   }
 
   /// The last steps, `metres` long together or all there are.

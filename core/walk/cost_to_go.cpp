@@ -16,9 +16,12 @@ constexpr double kNoiseRadians = 0.03;
 /// Nearer to the goal than this the way's direction says nothing of turns to come.
 constexpr double kNearGoalMetres = 1.2;
 
+/// Posts around a place whose directions cancel out, as around the goal, name none.
+constexpr double kLeastDirection = 0.05;
+
 /// What turning on the way costs beyond the way itself. Measured as what makes estimates in rooms with many
-/// corners as good as in open ones, for captured and synthesised libraries alike (0.2 to 0.3).
-constexpr double kTurnMetresPerRadian = 0.2;
+/// corners as good as in open ones, for captured and synthesised libraries alike (0.15 to 0.2).
+constexpr double kTurnMetresPerRadian = 0.15;
 
 }  // namespace
 
@@ -45,13 +48,13 @@ void CostToGo::look(std::size_t index) {
   Post& post = posts_[index];
   const DistanceField::Sample at = field_.at(placeOf(index));
   post.state = std::isfinite(at.metres) ? Post::kOpen : Post::kClosed;
-  post.sin = static_cast<float>(at.direction.x());
-  post.cos = static_cast<float>(at.direction.y());
+  post.prospect = {static_cast<float>(at.metres), static_cast<float>(at.direction.x()),
+                   static_cast<float>(at.direction.y()), 0.0F};
 }
 
 /// The cell one stride along the way; itself where there is none nearer to the goal.
 std::size_t CostToGo::onwardFrom(std::size_t index) const {
-  const Post& post = posts_[index];
+  const Prospect& post = posts_[index].prospect;
   const Vec2 centre = placeOf(index);
   const double here = field_.metresToGoal(centre);
   if (here < kNearGoalMetres) return index;
@@ -73,6 +76,7 @@ std::size_t CostToGo::onwardFrom(std::size_t index) const {
 }
 
 const CostToGo::Post& CostToGo::known(std::size_t index) {
+  if (posts_[index].state >= Post::kKnown) return posts_[index];
   trail_.clear();
   std::size_t at = index;
   while (true) {
@@ -85,47 +89,83 @@ const CostToGo::Post& CostToGo::known(std::size_t index) {
   }
   for (; !trail_.empty(); trail_.pop_back()) {
     Post& post = posts_[trail_.back()];
-    const Post& next = posts_[at];
     post.state = Post::kKnown;
-    if (next.state == Post::kKnown && at != trail_.back()) {
-      const double cosine = std::clamp(double{post.sin} * next.sin + double{post.cos} * next.cos, -1.0, 1.0);
+    if (posts_[at].state == Post::kKnown && at != trail_.back()) {
+      const Prospect& next = posts_[at].prospect;
+      const double cosine =
+          std::clamp(double{post.prospect.sin} * next.sin + double{post.prospect.cos} * next.cos, -1.0, 1.0);
       const double sine = std::sqrt(1.0 - cosine * cosine);
       const double turned = turnFraction(Heading{sine, cosine}) * 2.0 * std::numbers::pi;
-      post.turnedRadians = next.turnedRadians + static_cast<float>(std::max(0.0, turned - kNoiseRadians));
+      post.prospect.turnedRadians =
+          next.turnedRadians + static_cast<float>(std::max(0.0, turned - kNoiseRadians));
     }
     at = trail_.back();
   }
   return posts_[index];
 }
 
-double CostToGo::turnedAhead(const Vec2& point) {
+/// Bilinear between the posts around that are known; nothing where none is, or outside of the room.
+std::optional<CostToGo::Prospect> CostToGo::prospectAt(const Vec2& point) {
   const double x = point.x() / pitchMetres_;
   const double z = point.y() / pitchMetres_;
+  if (!(x >= 0.0 && z >= 0.0)) return std::nullopt;
   const auto column = static_cast<std::size_t>(x);
   const auto row = static_cast<std::size_t>(z);
-  const double alongX = x - static_cast<double>(column);
-  const double alongZ = z - static_cast<double>(row);
-  double sum = 0.0;
-  double weight = 0.0;
+  if (column + 1 >= columns_ || row + 1 >= rows_) return std::nullopt;
+  const auto alongX = static_cast<float>(x - static_cast<double>(column));
+  const auto alongZ = static_cast<float>(z - static_cast<double>(row));
+  Prospect sum;
+  float weight = 0.0F;
   for (std::size_t k = 0; k < 4; ++k) {
     const std::size_t right = k & 1U;
     const std::size_t up = k >> 1U;
     const Post& post = known((row + up) * columns_ + column + right);
     if (post.state != Post::kKnown) continue;
-    const double share = (right == 1 ? alongX : 1.0 - alongX) * (up == 1 ? alongZ : 1.0 - alongZ);
-    sum += share * double{post.turnedRadians};
+    const float share = (right == 1 ? alongX : 1.0F - alongX) * (up == 1 ? alongZ : 1.0F - alongZ);
+    sum.metres += share * post.prospect.metres;
+    sum.sin += share * post.prospect.sin;
+    sum.cos += share * post.prospect.cos;
+    sum.turnedRadians += share * post.prospect.turnedRadians;
     weight += share;
   }
-  return weight > 0.0 ? sum / weight : 0.0;
+  if (weight <= 0.0F) return std::nullopt;
+  sum.metres /= weight;
+  sum.turnedRadians /= weight;
+  return sum;
 }
 
 double CostToGo::metres(std::uint32_t node, const FloorTransform& placement) {
-  const DistanceField::Sample at = field_.at(placement.translation);
-  if (!std::isfinite(at.metres)) return at.metres;
+  const double estimated = estimate(node, placement);
+  return trust_ > 0.0 ? estimated + trust_ * learnedMetres(field_.metresToGoal(placement.translation))
+                      : estimated;
+}
+
+/// Linear between marks.
+double CostToGo::learnedMetres(double metresToGoal) const {
+  const auto above =
+      std::lower_bound(marks_.begin(), marks_.end(), metresToGoal,
+                       [](const Mark& mark, double metres) { return mark.metresToGoal < metres; });
+  if (above == marks_.end()) return marks_.back().extraMetres;
+  if (above == marks_.begin()) return above->extraMetres;
+  const Mark& below = *(above - 1);
+  const double share = (metresToGoal - below.metresToGoal) / (above->metresToGoal - below.metresToGoal);
+  return below.extraMetres + share * (above->extraMetres - below.extraMetres);
+}
+
+void CostToGo::learn(std::vector<Mark> marks, double trust) {
+  marks_ = std::move(marks);
+  trust_ = marks_.empty() ? 0.0 : trust;
+}
+
+double CostToGo::estimate(std::uint32_t node, const FloorTransform& placement) {
+  const std::optional<Prospect> at = prospectAt(placement.translation);
+  // In a gap that no post stands in, the bare way has to do.
+  if (!at) return field_.metresToGoal(placement.translation);
   const double straight =
-      tables_.steering.costPerMetre() * at.metres + kTurnMetresPerRadian * turnedAhead(placement.translation);
-  if (at.direction.isZero()) return straight;
-  const Heading direction = Heading{at.direction.x(), at.direction.y()} - placement.heading;
+      tables_.steering.costPerMetre() * double{at->metres} + kTurnMetresPerRadian * double{at->turnedRadians};
+  const double length = std::sqrt(double{at->sin} * double{at->sin} + double{at->cos} * double{at->cos});
+  if (length < kLeastDirection) return straight;
+  const Heading direction = Heading{double{at->sin} / length, double{at->cos} / length} - placement.heading;
   return straight + tables_.steering.extraMetres(node, direction);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "path/distance_field.h"
@@ -11,29 +12,46 @@ namespace stridegraph {
 /// What a walk still costs from a state to the goal, as well as it can be told without searching: the disc's
 /// way around the obstacles (DistanceField) at the cost per metre of the library's cheapest straight walk,
 /// what it takes this node to get going along that way, and what the turns of the way ahead take. An
-/// estimate, not a lower bound. What is known of a place is worked out when it is first asked for; answers do
-/// not depend on the order of the questions.
+/// estimate, not a lower bound. What is known of a place is worked out when it is first asked for, at posts
+/// of a grid over the floor, and read between them; answers do not depend on the order of the questions.
 class CostToGo {
  public:
   CostToGo(const SearchTables& tables, const DistanceField& field, const Vec2& roomSize);
 
-  /// Metres; infinite where the goal cannot be reached.
+  /// Metres; infinite where the goal cannot be reached. With what was learned.
   double metres(std::uint32_t node, const FloorTransform& placement);
+  /// The same without what was learned.
+  double estimate(std::uint32_t node, const FloorTransform& placement);
+
+  /// By how much the estimate was wrong for a walk that was found, at a distance from the goal.
+  struct Mark {
+    double metresToGoal = 0.0;  ///< Of the field.
+    double extraMetres = 0.0;   ///< What was left to pay there, less the estimate.
+  };
+  /// Believes a walk that was found, by rising distance from the goal and to a share of `trust`, 0..1,
+  /// wherever the goal is as far: estimates then are as good as that walk on its own way.
+  void learn(std::vector<Mark> marks, double trust);
 
  private:
-  /// A place of a grid over the floor: which way leads on, and how far that way turns until the goal.
-  struct Post {
+  /// What is known of a place: how far the goal is, which way leads there, and how far that way turns.
+  struct Prospect {
+    float metres = 0.0F;
     float sin = 0.0F, cos = 0.0F;
     float turnedRadians = 0.0F;
+  };
+  /// A place of the grid.
+  struct Post {
+    Prospect prospect;
     enum : std::uint8_t { kUnknown, kOpen, kKnown, kClosed } state = kUnknown;
   };
 
+  double learnedMetres(double metresToGoal) const;
   std::size_t nearestPost(const Vec2& point) const;
   Vec2 placeOf(std::size_t post) const;
   const Post& known(std::size_t post);
   void look(std::size_t post);
   std::size_t onwardFrom(std::size_t post) const;
-  double turnedAhead(const Vec2& point);
+  std::optional<Prospect> prospectAt(const Vec2& point);
 
   const SearchTables& tables_;
   const DistanceField& field_;
@@ -41,6 +59,8 @@ class CostToGo {
   std::size_t columns_, rows_;
   std::vector<Post> posts_;
   std::vector<std::size_t> trail_;
+  std::vector<Mark> marks_;
+  double trust_ = 0.0;
 };
 
 }  // namespace stridegraph

@@ -13,11 +13,24 @@ constexpr std::uint64_t kExpansionsBetweenTimeChecks = 256;
 constexpr std::size_t kArrivalsTried = 6;
 constexpr std::size_t kArrivalsOpened = 2;
 
+/// What each metre by which an end misses the goal counts for: those that have to be bent less come first.
+constexpr double kMissCost = 2.0;
+
 /// States so near in time are one where time matters.
 constexpr std::uint32_t kFramesTogether = 15;
 
-/// Ends looked at before the first is taken though it is not accepted.
+/// Ends looked at before the first is taken though it is not accepted, or none.
 constexpr std::size_t kEndsTried = 80;
+
+/// An end is judged by so many metres before it, more than would be bent.
+constexpr double kJudgedMetres = 9.0;
+
+/// The weight grows for the first time after so many states, and so many more for each metre to the goal;
+/// then whenever their number has grown by this factor. It costs next to nothing, since what was reached
+/// stays: most walks are found before.
+constexpr double kFirstRaise = 200.0;
+constexpr double kRaisePerMetre = 8.0;
+constexpr double kRaiseInterval = 1.4;
 
 /// Appends a way, cut off behind one of its samples.
 void appendWay(const SearchGraph& graph, const SearchEdge& way, std::uint32_t lastSample,
@@ -47,52 +60,88 @@ GuidedRun::GuidedRun(const MotionQuery& query, const GuidedSearchParams& params,
   goalCosine_ = Heading::fromAngle(query.goalTurn).cos;
 }
 
-MotionResult GuidedRun::search(std::span<const Heading> startHeadings, std::uint64_t limit,
-                               double costBound) {
+MotionResult GuidedRun::search(std::span<const StartHeading> starts, std::uint64_t limit, double costBound) {
   costBound_ = costBound;
+  weight_ = stage_.heuristicWeight;
+  double nextRaise = kFirstRaise + kRaisePerMetre * field_.metresToGoal(query_.start.position);
   MotionResult result;
   std::size_t ends = 0;
   if (query_.onward) {
     beginOnward(*query_.onward);
+    starts = {};
   } else {
-    for (const Heading& heading : startHeadings) begin({query_.start.position, heading});
+    begin(starts.front());
+    starts = starts.subspan(1);
   }
-  while (!open_.empty()) {
+  for (;;) {
+    if (open_.empty()) beginOtherwise(starts);
+    if (open_.empty()) break;
     const std::uint32_t id = open_.pop();
     const State state = states_[id];
     if (!state.isEnd() && closed_.contains(key(state))) continue;
     if (!isOpen(id)) continue;
     if (state.isEnd()) {
-      MotionPath path = pathTo(id);
-      const bool accepted = !query_.accepts || query_.accepts(path);
-      if (accepted || result.path.steps.empty()) {
-        result.path = std::move(path);
-        result.costMetres = state.cost;
-      }
-      result.status = SearchStatus::kArrived;
+      const bool accepted = isAccepted(id);
+      if (accepted || (!end_.bent && ends == 0)) take(id, result);
       if (accepted || ++ends == kEndsTried) break;
       continue;
     }
     if (result.expansions == limit || outOfTime(result.expansions)) {
-      if (ends == 0) result.status = SearchStatus::kBudgetSpent;
+      if (result.path.steps.empty()) result.status = SearchStatus::kBudgetSpent;
       break;
     }
     closed_.insert(key(state));
-    ++result.expansions;
+    if (static_cast<double>(++result.expansions) >= nextRaise) {
+      nextRaise *= kRaiseInterval;
+      beginOtherwise(starts);
+      raiseWeight();
+    }
     expand(id);
   }
   return result;
 }
 
-void GuidedRun::begin(const FloorTransform& start) {
+/// Whether the end of a walk will do: judged by its last metres.
+bool GuidedRun::isAccepted(std::uint32_t id) const {
+  if (!query_.accepts) return true;
+  std::uint32_t first = id;
+  const Vec2& end = states_[id].placement.translation;
+  while (states_[first].parent != kNone &&
+         (states_[first].placement.translation - end).norm() < kJudgedMetres)
+    first = states_[first].parent;
+  return query_.accepts(pathTo(id, first), states_[first].parent == kNone ? 0 : states_[first].frame);
+}
+
+void GuidedRun::take(std::uint32_t id, MotionResult& result) {
+  const State& end = states_[id];
+  result.status = SearchStatus::kArrived;
+  result.path = pathTo(id, kNone);
+  result.costMetres = end.cost;
+  marks_.clear();
+  for (std::uint32_t at = end.parent; at != kNone; at = states_[at].parent) {
+    const State& state = states_[at];
+    const double metres = field_.metresToGoal(state.placement.translation);
+    if (!marks_.empty() && metres <= marks_.back().metresToGoal) continue;
+    const double left = end.cost - state.cost;
+    marks_.push_back({metres, left - costToGo_.estimate(state.node, state.placement)});
+  }
+}
+
+void GuidedRun::begin(const StartHeading& start) {
   for (const SearchStart& first : query_.tables.graph.starts()) {
     const bool charged = query_.standing && query_.tables.graph.canStartStanding() && !first.stands;
     State from;
-    from.placement = start;
-    from.cost = charged ? params_.cost.movingStart : 0.0;
+    from.placement = {query_.start.position, start.heading};
+    from.cost = start.costMetres + (charged ? params_.cost.movingStart : 0.0);
     reach(kNone, from, first.edge);
     startOf_.resize(states_.size(), start.heading);
   }
+}
+
+/// Begins with all other headings, which only hard starts need.
+void GuidedRun::beginOtherwise(std::span<const StartHeading>& starts) {
+  for (const StartHeading& start : starts) begin(start);
+  starts = {};
 }
 
 void GuidedRun::beginOnward(const Onward& onward) {
@@ -156,8 +205,8 @@ void GuidedRun::openEndOn(std::uint32_t parent, const State& from, const SearchE
     end.goalSample = s;
   }
   if (end.goalSample == kNone || from.frame + end.goalSample + 1 > lastFrame_) return;
-  end.cost += costOf(placement, edge) * static_cast<double>(end.goalSample + 1) /
-              static_cast<double>(edge.sampleCount);
+  end.cost += kMissCost * nearest + costOf(placement, edge) * static_cast<double>(end.goalSample + 1) /
+                                        static_cast<double>(edge.sampleCount);
   open(end, 0.0);
 }
 
@@ -193,7 +242,8 @@ void GuidedRun::openArrival(std::uint32_t parent, const State& state) {
     if (!facesGoal(state.placement.heading + arrival.end.heading)) continue;
     if (isFree(state.placement, state.frame, id)) {
       State end = state;
-      end.cost += arrival.costMetres;
+      const double miss = (state.placement * arrival.end.translation - query_.goal.position).norm();
+      end.cost += arrival.costMetres + kMissCost * miss;
       end.node = kNone;
       end.via = nullptr;
       end.parent = parent;
@@ -205,11 +255,17 @@ void GuidedRun::openArrival(std::uint32_t parent, const State& state) {
   }
 }
 
-void GuidedRun::open(const State& state, double toGo) {
-  const double value = state.cost + stage_.heuristicWeight * toGo;
+void GuidedRun::open(State state, double toGo) {
+  state.toGo = toGo;
+  const double value = valueOf(state);
   if (value >= costBound_) return;
   open_.push(value, static_cast<std::uint32_t>(states_.size()));
   states_.push_back(state);
+}
+
+void GuidedRun::raiseWeight() {
+  weight_ *= stage_.weightGrowth;
+  open_.revalue([this](std::uint32_t id) { return valueOf(states_[id]); });
 }
 
 /// Whether the first samples of a way touch nothing; the body is at its beginning at that frame.
@@ -294,12 +350,17 @@ bool GuidedRun::outOfTime(std::uint64_t expansions) const {
   return query_.outOfTime && expansions % kExpansionsBetweenTimeChecks == 0 && query_.outOfTime();
 }
 
-MotionPath GuidedRun::pathTo(std::uint32_t id) const {
+/// The path to a state from another before it, or from the walk's beginning.
+MotionPath GuidedRun::pathTo(std::uint32_t id, std::uint32_t from) const {
   std::vector<std::uint32_t> chain;
-  for (std::uint32_t at = id; at != kNone; at = states_[at].parent) chain.push_back(at);
+  for (std::uint32_t at = id; at != from; at = states_[at].parent) chain.push_back(at);
   MotionPath path;
-  path.start = query_.onward ? query_.onward->placement
-                             : FloorTransform{query_.start.position, startOf_[chain.back()]};
+  if (from != kNone) {
+    path.start = states_[from].placement;
+  } else {
+    path.start = query_.onward ? query_.onward->placement
+                               : FloorTransform{query_.start.position, startOf_[chain.back()]};
+  }
   for (auto it = chain.rbegin(); it != chain.rend(); ++it) {
     const State& state = states_[*it];
     if (state.via != nullptr) appendWay(query_.tables.graph, *state.via, state.goalSample, path.steps);

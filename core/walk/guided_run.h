@@ -20,6 +20,13 @@ struct WalkEnd {
   bool standing = true;       ///< The body has come to a stand.
   bool facing = true;         ///< It faces as the goal asks, if it asks.
   double radiusMetres = 0.1;  ///< Its root is this near the goal.
+  bool bent = false;          ///< Only if the query accepts it, which it does if it can be bent to the goal.
+};
+
+/// A heading that a walk may begin with, and what that counts for.
+struct StartHeading {
+  Heading heading;
+  double costMetres = 0.0;
 };
 
 /// One run of weighted A* with the settings of a stage. Used once.
@@ -29,10 +36,13 @@ class GuidedRun {
             CostToGo& costToGo, const DistanceField& field, const WalkEnd& end);
 
   /// Looks for a walk that costs less than `costBound`, metres.
-  MotionResult search(std::span<const Heading> startHeadings, std::uint64_t maxExpansions, double costBound);
+  MotionResult search(std::span<const StartHeading> starts, std::uint64_t maxExpansions, double costBound);
 
   /// What stood in the way, as far as was seen.
   const SearchTrouble& trouble() const { return trouble_; }
+
+  /// Where the estimate of the walk found was wrong; empty before one is found.
+  const std::vector<CostToGo::Mark>& marks() const { return marks_; }
 
  private:
   static constexpr std::uint32_t kNone = SearchEdge::kNone;
@@ -41,6 +51,7 @@ class GuidedRun {
   struct State {
     FloorTransform placement;  ///< At the node; of an end, where its last way or its arrival begins.
     double cost = 0.0;
+    double toGo = 0.0;                 ///< As estimated when it was opened.
     std::uint32_t node = kNone;        ///< Decision node here; kNone of an end.
     std::uint32_t frame = 0;           ///< Of the walk, when the body is there.
     const SearchEdge* via = nullptr;   ///< The way that leads here; none where an arrival does.
@@ -50,13 +61,16 @@ class GuidedRun {
     bool isEnd() const { return goalSample != kNone || arrival != kNone; }
   };
 
-  void begin(const FloorTransform& start);
+  void begin(const StartHeading& start);
+  void beginOtherwise(std::span<const StartHeading>& starts);
   void beginOnward(const Onward& onward);
   void expand(std::uint32_t id);
   void reach(std::uint32_t parent, const State& from, const SearchEdge& edge);
   void openEndOn(std::uint32_t parent, const State& from, const SearchEdge& edge);
   void openArrival(std::uint32_t parent, const State& state);
-  void open(const State& state, double toGo);
+  void open(State state, double toGo);
+  double valueOf(const State& state) const { return state.cost + weight_ * state.toGo; }
+  void raiseWeight();
 
   bool isOpen(std::uint32_t id);
   bool isFree(const FloorTransform& from, std::uint32_t frame, const SearchEdge& edge, std::uint32_t samples);
@@ -68,7 +82,9 @@ class GuidedRun {
   bool isTooLate(const State& state) const;
   std::uint64_t key(const State& state) const;
   bool outOfTime(std::uint64_t expansions) const;
-  MotionPath pathTo(std::uint32_t id) const;
+  MotionPath pathTo(std::uint32_t id, std::uint32_t from) const;
+  bool isAccepted(std::uint32_t id) const;
+  void take(std::uint32_t id, MotionResult& result);
 
   const MotionQuery& query_;
   const GuidedSearchParams& params_;
@@ -80,13 +96,15 @@ class GuidedRun {
   Heading goalHeading_;
   double goalCosine_ = -1.0;  ///< Of the largest turn from the goal's heading.
   std::vector<State> states_;
-  std::vector<Heading> startOf_;  ///< Of the first states, the heading that each begins with.
+  std::vector<Heading> startOf_;  ///< Of states without a parent, the heading that each begins with.
   SearchHeap open_;
   StateSet closed_;
+  double weight_ = 1.0;
   double costBound_ = 0.0;
   std::uint32_t lastFrame_ = kNone;  ///< The walk has to be over by then.
   bool timed_ = false;               ///< States at different times differ.
   SearchTrouble trouble_;
+  std::vector<CostToGo::Mark> marks_;
 };
 
 }  // namespace stridegraph

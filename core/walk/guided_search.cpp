@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -15,52 +14,44 @@ namespace {
 
 constexpr double kNoBound = std::numeric_limits<double>::infinity();
 
-/// A walk that ends this near the goal can be bent to end on it: 5 % of its last two metres.
-constexpr double kBendableMetres = 0.1;
+/// A walk that ends this near the goal can mostly be bent to end on it: 5 % of its last five metres.
+constexpr double kBendableMetres = 0.25;
 
-/// Headings tried when the scene asks for none and the one along the path leads nowhere.
-constexpr int kFreeHeadings = 12;
+/// Headings tried when the scene asks for none, evenly around from the one along the path.
+constexpr int kFreeHeadings = 6;
 
-/// The headings that a walk may begin with in a stage.
-std::vector<Heading> startHeadings(const MotionQuery& query, const GuidedSearchParams& params,
-                                   const GuidedStage& stage) {
-  std::vector<Heading> headings;
+/// What turning the start from the heading asked for counts for: only who finds no better way does it.
+constexpr double kTurnedStartMetres = 1.5;
+
+/// The headings that a walk may begin with.
+std::vector<StartHeading> startHeadings(const MotionQuery& query, const GuidedSearchParams& params) {
+  std::vector<StartHeading> headings;
   if (query.start.heading) {
-    const Angle asked = *query.start.heading;
-    headings.push_back(Heading::fromAngle(asked));
-    if (stage.turnStart) {
-      headings.push_back(Heading::fromAngle(asked - params.startSlack));
-      headings.push_back(Heading::fromAngle(asked + params.startSlack));
-    }
-    return headings;
+    const Heading asked = Heading::fromAngle(*query.start.heading);
+    const Heading slack = Heading::fromAngle(params.startSlack);
+    return {{asked, 0.0}, {asked - slack, kTurnedStartMetres}, {asked + slack, kTurnedStartMetres}};
   }
   const Heading along = Heading::alongDirection(query.path[1] - query.path[0]);
-  headings.push_back(along);
-  for (int i = 1; stage.turnStart && i < kFreeHeadings; ++i) {
-    headings.push_back(along + Heading::fromAngle(Angle::degrees(360.0 * i / kFreeHeadings)));
+  for (int i = 0; i < kFreeHeadings; ++i) {
+    const Heading turn = Heading::fromAngle(Angle::degrees(360.0 * i / kFreeHeadings));
+    headings.push_back({along + turn, i == 0 ? 0.0 : kTurnedStartMetres});
   }
   return headings;
 }
 
-/// Stages in the order in which they are tried while budgets run out; weight, factor on transitions, cells,
-/// headings, turned start, expansions, and more for each metre.
-constexpr std::array<GuidedStage, 3> kStages = {
-    {{1.05, 1.0, 0.2, 24, false, 2'000, 30.0}, {1.1, 1.0, 0.2, 24, false, 5'000, 80.0}, {}}};
-/// The same where others move: what they cost is not in the estimate, so little greed finds nothing soon.
-constexpr std::array<GuidedStage, 3> kStagesAmongMovers = {{{1.4, 1.0, 0.2, 24, false, 4'000, 60.0},
-                                                            {2.0, 1.0, 0.2, 24, false, 15'000, 200.0},
-                                                            {3.0, 1.0, 0.2, 24, false, 40'000, 250.0}}};
-/// What follows when a stage has run through all states: other first headings, then finer cells.
-constexpr std::array<GuidedStage, 2> kAfterExhaustion = {
-    {{1.2, 1.0, 0.2, 24, true, 40'000, 250.0}, {1.2, 1.0, 0.1, 48, true, 150'000, 250.0}}};
-/// What follows when all budgets ran out.
-constexpr std::array<GuidedStage, 2> kAfterBudget = {
-    {{1.5, 1.0, 0.2, 24, true, 100'000, 500.0}, {3.0, 0.0, 0.1, 48, true, 300'000, 0.0}}};
+/// Stages: weight, its growth, factor on transitions, cells, headings, expansions, and more for each metre.
+constexpr GuidedStage kUsual = {1.05, 1.04, 1.0, 0.2, 24, 40'000, 250.0};
+/// Where others move: what they cost is not in the estimate, so little greed finds nothing soon.
+constexpr GuidedStage kAmongMovers = {1.4, 1.1, 1.0, 0.2, 24, 40'000, 250.0};
+/// When a stage has run through all states.
+constexpr GuidedStage kFiner = {1.2, 1.04, 1.0, 0.1, 48, 150'000, 250.0};
+/// When the budget ran out.
+constexpr GuidedStage kGreedy = {3.0, 1.0, 0.0, 0.1, 48, 300'000, 0.0};
 
-/// By how much the weight falls from one improvement to the next, and where that ends: at half of the
-/// estimate nothing more will be found in time.
-constexpr double kWeightFall = 0.95;
-constexpr double kLeastWeight = 0.5;
+/// How far the best walk so far is believed in the search for a better one, and by how much less when that
+/// finds none.
+constexpr double kFirstTrust = 0.95;
+constexpr double kTrustFall = 0.05;
 
 /// A search that came no nearer to the goal than this, metres of way, was not kept from it by how to end
 /// there.
@@ -122,58 +113,56 @@ class Cascade {
   /// Ends of a walk in the order in which they are sought.
   std::vector<WalkEnd> ends() const {
     std::vector<WalkEnd> ends;
-    const double wide = query_.goalRadiusMetres;
-    const double narrow = std::min(wide, kBendableMetres);
+    const double radius = query_.goalRadiusMetres;
     const bool canStand = query_.standing && query_.tables.graph.canEndStanding();
-    if (canStand) ends.push_back({true, true, narrow});
-    if (canStand && wide > narrow) ends.push_back({true, true, wide});
-    ends.push_back({false, true, wide});
-    if (canStand && query_.goal.heading) ends.push_back({true, false, wide});
-    if (query_.goal.heading) ends.push_back({false, false, wide});
+    if (canStand) ends.push_back({true, true, kBendableMetres, true});
+    if (canStand) ends.push_back({true, true, radius});
+    ends.push_back({false, true, radius});
+    if (canStand && query_.goal.heading) ends.push_back({true, false, radius});
+    if (query_.goal.heading) ends.push_back({false, false, radius});
     return ends;
   }
 
   MotionResult seek(const WalkEnd& end) {
     const bool meets = query_.traffic != nullptr && !query_.traffic->empty();
-    MotionResult result = tryInTurn(meets ? kStagesAmongMovers : kStages, SearchStatus::kBudgetSpent, end);
-    if (result.status == SearchStatus::kNoMotion)
-      result = tryInTurn(kAfterExhaustion, SearchStatus::kNoMotion, end);
-    if (result.status == SearchStatus::kBudgetSpent && !outOfTime())
-      result = tryInTurn(kAfterBudget, SearchStatus::kBudgetSpent, end);
+    MotionResult result = tryStage(meets ? kAmongMovers : kUsual, end);
+    if (result.status == SearchStatus::kNoMotion) result = tryStage(kFiner, end);
+    if (result.status == SearchStatus::kBudgetSpent && !outOfTime()) result = tryStage(kGreedy, end);
     return result;
   }
 
-  /// Tries stages until one ends otherwise than `goOn`.
-  MotionResult tryInTurn(std::span<const GuidedStage> stages, SearchStatus goOn, const WalkEnd& end) {
-    MotionResult result;
-    for (const GuidedStage& stage : stages) {
-      const auto limit =
-          stage.maxExpansions +
-          static_cast<std::uint64_t>(stage.expansionsPerMetre * field_.metresToGoal(query_.start.position));
-      result = tryStage(stage, end, limit, kNoBound);
-      stage_ = stage;
-      if (result.status != goOn || outOfTime()) break;
-    }
-    return result;
+  MotionResult tryStage(const GuidedStage& stage, const WalkEnd& end) {
+    stage_ = stage;
+    const double metres = field_.metresToGoal(query_.start.position);
+    return runStage(stage, end,
+                    stage.maxExpansions + static_cast<std::uint64_t>(stage.expansionsPerMetre * metres),
+                    kNoBound);
   }
 
   /// Looks for better walks than the first until the budget is spent.
   void improve(MotionResult& best, const WalkEnd& end) {
-    std::uint64_t left = query_.improvementExpansions;
     GuidedStage stage = stage_;
-    while (left > 0 && stage.heuristicWeight > kLeastWeight && !outOfTime()) {
-      stage.heuristicWeight *= kWeightFall;
-      MotionResult found = tryStage(stage, end, left, best.costMetres - kWorthMetres);
+    stage.heuristicWeight = 1.0;
+    stage.weightGrowth = 1.0;
+    std::uint64_t left = query_.improvementExpansions;
+    for (double trust = kFirstTrust; left > 0 && trust > 0.0 && !outOfTime();) {
+      costToGo_.learn(marks_, trust);
+      MotionResult found = runStage(stage, end, left, best.costMetres - kWorthMetres);
       left -= std::min(left, found.expansions);
-      if (found.status == SearchStatus::kArrived) best = std::move(found);
+      if (found.status == SearchStatus::kArrived) {
+        best = std::move(found);
+      } else {
+        trust -= kTrustFall;
+      }
     }
   }
 
-  MotionResult tryStage(const GuidedStage& stage, const WalkEnd& end, std::uint64_t limit, double costBound) {
+  MotionResult runStage(const GuidedStage& stage, const WalkEnd& end, std::uint64_t limit, double costBound) {
     GuidedRun run(query_, params_, stage, costToGo_, field_, end);
-    MotionResult result = run.search(startHeadings(query_, params_, stage), limit, costBound);
+    MotionResult result = run.search(startHeadings(query_, params_), limit, costBound);
     expansions_ += result.expansions;
     trouble_.add(run.trouble());
+    if (result.status == SearchStatus::kArrived) marks_ = run.marks();
     return result;
   }
 
@@ -185,6 +174,7 @@ class Cascade {
   std::optional<DistanceField> ownField_;
   const DistanceField& field_;
   CostToGo costToGo_;
+  std::vector<CostToGo::Mark> marks_;  ///< Of the walk found last.
   std::uint64_t expansions_ = 0;
   SearchTrouble trouble_;
 };

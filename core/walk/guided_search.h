@@ -7,29 +7,30 @@ namespace stridegraph {
 
 /// The strategy of one stage.
 struct GuidedStage {
-  double heuristicWeight = 1.2;     ///< w of weighted A* (Pohl 1970).
+  double heuristicWeight = 1.2;     ///< w of weighted A* (Pohl 1970) at first;
+  double weightGrowth = 1.04;       ///< grows by this factor as more and more states are looked at.
   double transitionFactor = 1.0;    ///< On the costs of transitions.
   double cellMetres = 0.2;          ///< States in the same cell, at the same node, count as one ...
   std::uint32_t headingCells = 24;  ///< ... when they also face the same of so many sectors.
-  bool turnStart = false;           ///< Also try the start turned by startSlack to either side.
   std::uint64_t maxExpansions = 40'000;
   double expansionsPerMetre = 250.0;  ///< Added to maxExpansions for each metre from start to goal.
 };
 
 struct GuidedSearchParams {
   WalkCost cost;
-  Angle startSlack = Angle::degrees(12.0);  ///< How far the first heading may be off when nothing else helps.
+  Angle startSlack = Angle::degrees(12.0);  ///< How far the first heading may be off, at a price.
 };
 
 /// Weighted A* over (node, place, heading) with every frame checked against the room, a cost-to-go that knows
 /// the room's geometry and the library's turns (CostToGo), and a memory of states reached before. It begins
-/// with little greed and a small budget, which is enough in most rooms; others follow: greedier ones with
-/// more when the budget ran out, a turned start and finer cells when the open list ran empty. A walk that
-/// comes to a stand, and faces as the goal asks, is sought first; where there is none, the standing and then
-/// the heading are given up. Says no motion only when a stage with fine cells has run through every state it
-/// can reach. With expansions left for improvement it goes on with ever smaller weights, each time for a walk
-/// that costs less than the best so far (anytime weighted A*, Hansen and Zhou 2007; restarted as by Richter,
-/// Thayer and Ruml 2010, since states reached by a greedy search are reached by poor ways).
+/// with little greed, which grows with the number of states looked at; other stages follow: greedier ones
+/// with more when the budget ran out, finer cells when the open list ran empty. A walk
+/// that comes to a stand, and faces as the goal asks, is sought first; where there is none, the standing and
+/// then the heading are given up. Says no motion only when a stage with fine cells has run through every
+/// state it can reach. With expansions left for improvement it searches again, each time for a walk that
+/// costs less than the best so far, with estimates that have learned from that walk what the room costs
+/// (Adaptive A*, Koenig and Likhachev 2005; here by distance from the goal and to a share, since neither
+/// estimate is a bound) and believe it less when nothing better is found.
 MotionResult guidedSearch(const MotionQuery& query, const GuidedSearchParams& params = {});
 
 }  // namespace stridegraph

@@ -48,9 +48,9 @@ struct MotionQuery {
       subgoals{};        ///< Along the path; the last one is the goal. Only the thesis search needs them.
   bool standing = true;  ///< The walk begins and ends with a standing body where the library can.
   std::uint64_t seed = 1;
-  /// Whether a walk found will do; where it will not, the guided search looks at some more before it takes
-  /// the first. May be empty.
-  std::function<bool(const MotionPath&)> accepts{};
+  /// Whether a walk found will do, from its last metres and the frame of the walk at which these begin; where
+  /// it will not, the guided search looks at some more before it takes the first. May be empty.
+  std::function<bool(const MotionPath&, std::uint32_t)> accepts{};
   /// States looked at beyond those of the first walk to find cheaper ones; 0 takes the first.
   std::uint64_t improvementExpansions = 0;
   std::function<bool()> outOfTime{};  ///< Asked now and then; true ends the search. May be empty.

@@ -133,7 +133,9 @@ class Planning {
     query.subgoals = plan_.subgoals;
     query.standing = options_.standing;
     query.seed = plan_.report.seed;
-    query.accepts = [&](const MotionPath& path) { return bent(placementsAlong(library_, path)).has_value(); };
+    query.accepts = [&](const MotionPath& end, std::uint32_t first) {
+      return bent(placementsAlong(library_, end), first).has_value();
+    };
     query.improvementExpansions = options_.improvementExpansions;
     query.outOfTime = [&] {
       return options_.budgetMilliseconds > 0.0 && watch.elapsed() > options_.budgetMilliseconds;
@@ -150,10 +152,9 @@ class Planning {
     return std::move(found.path);
   }
 
-  /// The way bent to end at the goal, where that keeps it off everything.
-  std::optional<BentWay> bent(std::span<const FloorTransform> way) const {
+  /// The way bent to end at the goal, where that keeps it off everything; it begins at this frame.
+  std::optional<BentWay> bent(std::span<const FloorTransform> way, std::uint32_t first) const {
     std::optional<BentWay> bent = bendToGoal(way, task_.goal, task_.floor);
-    const std::uint32_t first = turn_ ? turn_->onward.frame : 0;
     if (bent && !task_.traffic.isFree(bent->placements, first)) return std::nullopt;
     return bent;
   }
@@ -181,9 +182,9 @@ class Planning {
 
   /// Bends what is still to be gone of the way.
   void bendEnd() {
-    const std::size_t first = turn_ ? turn_->onward.frame : 0;
+    const std::uint32_t first = turn_ ? turn_->onward.frame : 0;
     const std::span<const FloorTransform> rest = std::span(plan_.way).subspan(first);
-    std::optional<BentWay> bending = bent(rest);
+    std::optional<BentWay> bending = bent(rest, first);
     if (!bending) return;
     plan_.report.arrivalWarp = bending->warp;
     if (bending->warp.metres == 0.0) return;

@@ -26,6 +26,13 @@ class SearchHeap {
     return id;
   }
 
+  /// Gives every entry another value, by its id.
+  template <typename ValueOf>
+  void revalue(const ValueOf& valueOf) {
+    for (Entry& entry : entries_) entry.value = valueOf(entry.id);
+    std::make_heap(entries_.begin(), entries_.end(), after);
+  }
+
  private:
   struct Entry {
     double value;

@@ -9,7 +9,7 @@ namespace stridegraph {
 /// needs.
 class StateSet {
  public:
-  StateSet() : slots_(kInitialSlots, kEmpty) {}
+  StateSet() : slots_(std::size_t{1} << kInitialBits, kEmpty) {}
 
   /// Adds a key; false when it was there.
   bool insert(std::uint64_t key) {
@@ -23,12 +23,13 @@ class StateSet {
 
  private:
   static constexpr std::uint64_t kEmpty = ~0ULL;
-  static constexpr std::size_t kInitialSlots = 1U << 14U;
+  static constexpr unsigned kInitialBits = 14;
 
   /// The slot that holds the key, or the empty one where it belongs.
   std::size_t slotOf(std::uint64_t key) const {
     const std::size_t mask = slots_.size() - 1;
-    std::size_t slot = static_cast<std::size_t>((key * 0x9e3779b97f4a7c15ULL) >> 20U) & mask;
+    // The highest bits of the product hang on all bits of the key (Fibonacci hashing, Knuth 1973, 6.4).
+    auto slot = static_cast<std::size_t>((key * 0x9e3779b97f4a7c15ULL) >> shift_);
     while (slots_[slot] != kEmpty && slots_[slot] != key) slot = (slot + 1) & mask;
     return slot;
   }
@@ -41,6 +42,7 @@ class StateSet {
   }
 
   void grow() {
+    --shift_;
     std::vector<std::uint64_t> old(slots_.size() * 2, kEmpty);
     old.swap(slots_);
     for (const std::uint64_t key : old) {
@@ -49,6 +51,7 @@ class StateSet {
   }
 
   std::vector<std::uint64_t> slots_;
+  unsigned shift_ = 64 - kInitialBits;  ///< That leaves as many bits of a product as number the slots.
   std::size_t count_ = 0;
 };
 

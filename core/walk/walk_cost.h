@@ -15,7 +15,8 @@ struct WalkCost {
 
   /// Of going a way, before seeds vary it.
   double ofGoing(const SearchEdge& edge, double framesPerSecond) const {
-    return edge.lengthMetres + perRadian * edge.bendRadians + perSecond * static_cast<double>(edge.sampleCount) / framesPerSecond;
+    return edge.lengthMetres + perRadian * edge.bendRadians +
+           perSecond * static_cast<double>(edge.sampleCount) / framesPerSecond;
   }
   /// Of the blends on it.
   double ofTransitions(const SearchEdge& edge) const {

@@ -38,8 +38,7 @@ TEST(Synthesise, showsEveryFrameOnce) {
 
 /// A straight piece of 12 frames, bent by 20 degrees a metre to the right.
 MotionPath straightBent() {
-  return {{{2, 3}, Heading::fromAngle(Angle::degrees(90))},
-          {{pieceOfEdge(0), 0, 12, Angle::degrees(20)}}};
+  return {{{2, 3}, Heading::fromAngle(Angle::degrees(90))}, {{pieceOfEdge(0), 0, 12, Angle::degrees(20)}}};
 }
 
 TEST(Synthesise, laysBentStepsOutOnAnArc) {

@@ -287,38 +287,15 @@ TEST(WalkPlanner, refusesASceneThatIsOutOfRange) {
 TEST(PlanReport, holdsEveryFigureOfTheContract) {
   const auto json = nlohmann::json::parse(toJson(planOf(roomWithGap()).report), nullptr, false);
   ASSERT_TRUE(json.is_object());
-  for (const char* member : {"status",
-                             "seed",
-                             "planner",
-                             "search",
-                             "radius_m",
-                             "goal_radius_m",
-                             "units_per_metre",
-                             "path_ms",
-                             "motion_ms",
-                             "synthesis_ms",
-                             "total_ms",
-                             "path_length_m",
-                             "motion_length_m",
-                             "duration_s",
-                             "frames",
-                             "expansions",
-                             "transitions",
-                             "edges",
-                             "clearance_m",
-                             "foot_skate_cm_s",
-                             "arrival_error_m",
-                             "arrival_warp",
-                             "bent_share",
-                             "starts_standing",
-                             "ends_standing",
-                             "library_hash",
-                             "contacts",
-                             "feet_corrected",
-                             "penetration_cm",
-                             "seams",
-                             "feet_left_alone",
-                             "foot_skate_source_cm_s"}) {
+  for (const char* member :
+       {"status",          "seed",          "planner",         "search",
+        "radius_m",        "goal_radius_m", "units_per_metre", "path_ms",
+        "motion_ms",       "synthesis_ms",  "total_ms",        "path_length_m",
+        "motion_length_m", "duration_s",    "frames",          "expansions",
+        "transitions",     "edges",         "clearance_m",     "foot_skate_cm_s",
+        "arrival_error_m", "arrival_warp",  "bent_share",      "starts_standing",
+        "ends_standing",   "library_hash",  "contacts",        "feet_corrected",
+        "penetration_cm",  "seams",         "feet_left_alone", "foot_skate_source_cm_s"}) {
     EXPECT_TRUE(json.contains(member)) << member;
   }
   for (const char* ratio : {"joint_speed_ratio", "joint_accel_ratio"}) {
