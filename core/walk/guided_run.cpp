@@ -104,12 +104,12 @@ MotionResult GuidedRun::search(std::span<const StartHeading> starts, std::uint64
 /// Whether the end of a walk will do: judged by its last metres.
 bool GuidedRun::isAccepted(std::uint32_t id) const {
   if (!query_.accepts) return true;
-  std::uint32_t first = id;
   const Vec2& end = states_[id].placement.translation;
-  while (states_[first].parent != kNone &&
-         (states_[first].placement.translation - end).norm() < kJudgedMetres)
-    first = states_[first].parent;
-  return query_.accepts(pathTo(id, first), states_[first].parent == kNone ? 0 : states_[first].frame);
+  std::uint32_t from = states_[id].parent;
+  while (from != kNone && (states_[from].placement.translation - end).norm() < kJudgedMetres)
+    from = states_[from].parent;
+  const std::uint32_t begun = query_.onward ? query_.onward->frame : 0;
+  return query_.accepts(pathTo(id, from), from == kNone ? begun : states_[from].frame);
 }
 
 void GuidedRun::take(std::uint32_t id, MotionResult& result) {

@@ -41,8 +41,9 @@ std::vector<StartHeading> startHeadings(const MotionQuery& query, const GuidedSe
 
 /// Stages: weight, its growth, factor on transitions, cells, headings, expansions, and more for each metre.
 constexpr GuidedStage kUsual = {1.05, 1.04, 1.0, 0.2, 24, 40'000, 250.0};
-/// Where others move: what they cost is not in the estimate, so little greed finds nothing soon.
-constexpr GuidedStage kAmongMovers = {1.4, 1.1, 1.0, 0.2, 24, 40'000, 250.0};
+/// Where others move: what they cost is not in the estimate, so little greed finds nothing soon, and places
+/// are there at many times, so there have to be fewer of them.
+constexpr GuidedStage kAmongMovers = {1.4, 1.1, 1.0, 0.3, 16, 40'000, 250.0};
 /// When a stage has run through all states.
 constexpr GuidedStage kFiner = {1.2, 1.04, 1.0, 0.1, 48, 150'000, 250.0};
 /// When the budget ran out.
