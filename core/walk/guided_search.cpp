@@ -49,10 +49,11 @@ constexpr GuidedStage kFiner = {1.2, 1.04, 1.0, 0.1, 48, 150'000, 250.0};
 /// When the budget ran out.
 constexpr GuidedStage kGreedy = {3.0, 1.0, 0.0, 0.1, 48, 300'000, 0.0};
 
-/// How far the best walk so far is believed in the search for a better one, and by how much less when that
-/// finds none.
-constexpr double kFirstTrust = 0.95;
-constexpr double kTrustFall = 0.05;
+/// How far estimates are believed in the search for a better walk, at first and by how much less when that
+/// finds none: above 0 with a share of what was learned from the best walk, below 0 not even themselves.
+constexpr double kFirstBelief = 0.95;
+constexpr double kBeliefFall = 0.05;
+constexpr double kLeastBelief = -0.5;
 
 /// A search that came no nearer to the goal than this, metres of way, was not kept from it by how to end
 /// there.
@@ -143,17 +144,17 @@ class Cascade {
   /// Looks for better walks than the first until the budget is spent.
   void improve(MotionResult& best, const WalkEnd& end) {
     GuidedStage stage = stage_;
-    stage.heuristicWeight = 1.0;
     stage.weightGrowth = 1.0;
     std::uint64_t left = query_.improvementExpansions;
-    for (double trust = kFirstTrust; left > 0 && trust > 0.0 && !outOfTime();) {
-      costToGo_.learn(marks_, trust);
+    for (double belief = kFirstBelief; left > 0 && belief > kLeastBelief && !outOfTime();) {
+      stage.heuristicWeight = 1.0 + std::min(belief, 0.0);
+      costToGo_.learn(marks_, std::max(belief, 0.0));
       MotionResult found = runStage(stage, end, left, best.costMetres - kWorthMetres);
       left -= std::min(left, found.expansions);
       if (found.status == SearchStatus::kArrived) {
         best = std::move(found);
       } else {
-        trust -= kTrustFall;
+        belief -= kBeliefFall;
       }
     }
   }
