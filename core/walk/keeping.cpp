@@ -23,6 +23,15 @@ bool isFreeFrom(const Plan& plan, std::size_t frame, const FloorPlan& floor) {
 
 }  // namespace
 
+bool askedAlike(const Plan& walk, const PlanOptions& options) {
+  const PlanOptions& before = walk.options;
+  return before.seed == options.seed && before.radiusMetres == options.radiusMetres &&
+         before.goalRadiusMetres == options.goalRadiusMetres && before.planner == options.planner &&
+         before.search == options.search && before.standing == options.standing &&
+         before.footCleanup == options.footCleanup &&
+         before.subgoalSpacingMetres == options.subgoalSpacingMetres;
+}
+
 bool stillHolds(const Plan& walk, std::size_t frame, const Scene& scene, const FloorPlan& floor) {
   return sameTask(walk.scene, scene) && isFreeFrom(walk, frame, floor);
 }

@@ -7,6 +7,9 @@
 
 namespace stridegraph {
 
+/// Whether a walk under way was planned with options that ask for the same, but for how long to look.
+bool askedAlike(const Plan& walk, const PlanOptions& options);
+
 /// Whether a walk under way, as it goes on from a frame, touches nothing of an edited scene and leads where
 /// that asks: the same goals, constraints and movers, and room for its disc all along.
 /// `floor` is the scene's.

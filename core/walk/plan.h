@@ -116,6 +116,7 @@ struct Plan {
   MotionPath motion;                ///< What the walk plays; without steps unless arrived.
   std::vector<FloorTransform> way;  ///< Where the body stands at each frame of the walk.
   Scene scene;                      ///< What was planned for; of a further walker empty.
+  PlanOptions options;              ///< And with which options.
   bool kept = false;                ///< replan() left the walk as it was.
   std::vector<Plan> others;         ///< Walks of the scene's further walkers, in their order.
 };

@@ -92,6 +92,7 @@ class Crowd {
     }
     Plan first = std::move(best.front());
     first.scene = scene_;
+    first.options = options_;
     first.others.assign(std::make_move_iterator(best.begin() + 1), std::make_move_iterator(best.end()));
     return first;
   }
@@ -173,7 +174,8 @@ Result<Plan> WalkPlanner::replan(const Plan& current, std::size_t frame, const S
                 fmt::format("walkers: found {}, expected {} as in the walk under way", scene.walkers.size(),
                             current.others.size()));
   const FloorPlan floor = floorOf(scene, options);
-  const bool holds = allArrive(current) && stillHolds(current, frame, scene, floor);
+  const bool holds =
+      allArrive(current) && askedAlike(current, options) && stillHolds(current, frame, scene, floor);
   if (holds && nothingFreed(current, scene)) return keptIn(scene, current);
   const Prepared prepared{*library_, tables_, feet_, sources_};
   Plan other = Crowd(prepared, scene, floor, options).run(&current, frame);

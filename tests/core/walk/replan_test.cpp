@@ -41,6 +41,26 @@ TEST_F(Replan, keepsAWalkThatAnEditDoesNotConcern) {
   EXPECT_EQ(plan.scene.obstacles.size(), 1U);
 }
 
+TEST_F(Replan, keepsNoWalkThatWasPlannedWithOtherOptions) {
+  PlanOptions wider;
+  wider.radiusMetres = 0.6;
+  PlanOptions seeded;
+  seeded.seed = 7;
+  PlanOptions moving;
+  moving.standing = false;
+  for (const PlanOptions& options : {wider, seeded, moving}) {
+    const Result<Plan> plan = testing::gaitPlanner().replan(walk, kShown, scene, options);
+    ASSERT_TRUE(plan.has_value());
+    EXPECT_EQ(plan->report.status, PlanStatus::kArrived);
+    EXPECT_FALSE(plan->kept);
+  }
+  PlanOptions longer;
+  longer.improvementExpansions = 100;
+  const Result<Plan> plan = testing::gaitPlanner().replan(walk, kShown, scene, longer);
+  ASSERT_TRUE(plan.has_value());
+  EXPECT_TRUE(plan->kept);
+}
+
 TEST_F(Replan, bendsTheWalkFromThePresentPoseAroundANewWall) {
   scene.obstacles.push_back({{12.0, 6.0}, {1.0, 4.0}});
   const Plan plan = after();
