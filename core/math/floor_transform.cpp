@@ -1,7 +1,5 @@
 #include "math/floor_transform.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -22,12 +20,6 @@ double cosineSeries(double x) {
   double sum = 0.0;
   for (int k = 16; k >= 2; k -= 2) sum = (1.0 + sum) * (-xx / static_cast<double>(k * (k - 1)));
   return 1.0 + sum;
-}
-
-Heading normalised(double sin, double cos) {
-  const double length = std::sqrt(sin * sin + cos * cos);
-  if (length == 0.0) return {};
-  return {sin / length, cos / length};
 }
 
 }  // namespace
@@ -52,19 +44,11 @@ Heading Heading::fromAngle(Angle angle) {
 }
 
 Heading Heading::alongDirection(const Vec2& direction) {
-  return normalised(direction.x(), direction.y());
+  return Heading::normalised(direction.x(), direction.y());
 }
 
 Angle Heading::angle() const {
   return Angle::radians(std::atan2(sin, cos));
-}
-
-Heading Heading::operator+(const Heading& turn) const {
-  return normalised(sin * turn.cos + cos * turn.sin, cos * turn.cos - sin * turn.sin);
-}
-
-Heading Heading::operator-(const Heading& other) const {
-  return normalised(sin * other.cos - cos * other.sin, cos * other.cos + sin * other.sin);
 }
 
 Quat Heading::rotation() const {
@@ -78,39 +62,13 @@ Quat Heading::rotation() const {
 }
 
 Heading blend(const Heading& from, const Heading& to, double fraction) {
-  return normalised(from.sin + (to.sin - from.sin) * fraction, from.cos + (to.cos - from.cos) * fraction);
-}
-
-FloorTransform FloorTransform::operator*(const FloorTransform& inner) const {
-  return {*this * inner.translation, heading + inner.heading};
-}
-
-FloorTransform FloorTransform::inverse() const {
-  const Heading back{-heading.sin, heading.cos};
-  return {back.rotate(-translation), back};
+  return Heading::normalised(from.sin + (to.sin - from.sin) * fraction,
+                             from.cos + (to.cos - from.cos) * fraction);
 }
 
 Vec3 FloorTransform::apply(const Vec3& point) const {
   const Vec2 floor = *this * onFloor(point);
   return {floor.x(), point.y(), floor.y()};
-}
-
-double quarterTurns(const Heading& heading) {
-  const double p = heading.sin / (std::abs(heading.sin) + std::abs(heading.cos));
-  if (heading.cos < 0.0) return 2.0 - p;
-  return p < 0.0 ? 4.0 + p : p;
-}
-
-double turnFraction(const Heading& heading) {
-  const double quarters = quarterTurns(heading);
-  const double whole = std::min(std::floor(quarters), 3.0);
-  // Within a quarter, tan(angle - 45 degrees) is linear in quarterTurns.
-  const double x = 2.0 * (quarters - whole) - 1.0;
-  const double xx = x * x;
-  // Arc tangent for |x| <= 1, minimax (Abramowitz and Stegun 1964, 4.4.47 is its like), error below 2e-5 rad.
-  const double arc =
-      x * (0.9998660 + xx * (-0.3302995 + xx * (0.1801410 + xx * (-0.0851330 + xx * 0.0208351))));
-  return 0.25 * (whole + 0.5 + arc * (2.0 / std::numbers::pi));
 }
 
 }  // namespace stridegraph

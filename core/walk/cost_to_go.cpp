@@ -163,10 +163,13 @@ double CostToGo::estimate(std::uint32_t node, const FloorTransform& placement) {
   if (!at) return field_.metresToGoal(placement.translation);
   const double straight =
       tables_.steering.costPerMetre() * double{at->metres} + kTurnMetresPerRadian * double{at->turnedRadians};
-  const double length = std::sqrt(double{at->sin} * double{at->sin} + double{at->cos} * double{at->cos});
-  if (length < kLeastDirection) return straight;
-  const Heading direction = Heading{double{at->sin} / length, double{at->cos} / length} - placement.heading;
-  return straight + tables_.steering.extraMetres(node, direction);
+  const double sin = double{at->sin};
+  const double cos = double{at->cos};
+  if (sin * sin + cos * cos < kLeastDirection * kLeastDirection) return straight;
+  // As a difference of headings, but not brought to unit length, which the table does not need.
+  const Heading& facing = placement.heading;
+  return straight + tables_.steering.extraMetres(
+                        node, {sin * facing.cos - cos * facing.sin, cos * facing.cos + sin * facing.sin});
 }
 
 }  // namespace stridegraph

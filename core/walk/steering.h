@@ -24,8 +24,8 @@ class SteeringTable {
   /// Cost of the cheapest endless straight walk for each metre of progress, > 0: metres per metre.
   double costPerMetre() const { return costPerMetre_; }
   /// Metres of cost that going from the node in a direction takes more than that; 0 for the best of all nodes
-  /// and directions. The direction is relative to the heading of the placement at the node. Linear between
-  /// sectors.
+  /// and directions. The direction is relative to the heading of the placement at the node; only the ratio of
+  /// its (sin, cos) counts. Linear between sectors.
   double extraMetres(std::uint32_t node, const Heading& direction) const;
 
  private:
