@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "math/floor_transform.h"
 
@@ -48,7 +47,7 @@ std::vector<double> yawCorrections(const FootTrack& track, const FootStance& sta
   for (std::size_t i = 0; i < turns.size(); ++i) {
     const std::size_t frame = stance.first + i;
     if (flatness(track, frame) > 0.0) {
-      turns[i] = std::remainder(yaw - track.yaws[frame], 2.0 * std::numbers::pi);
+      turns[i] = Angle::radians(yaw - track.yaws[frame]).wrapped().radians();
       if (!seen) std::fill(turns.begin(), turns.begin() + static_cast<std::ptrdiff_t>(i), turns[i]);
       seen = true;
     } else if (i > 0) {
