@@ -1,6 +1,5 @@
 #include "walk/footprints.h"
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -89,40 +88,52 @@ Vec2 meanByHold(const TurnedFoot& foot, std::size_t contacts, const PointOf& poi
   return sum / foot.holdSum;
 }
 
+/// A place on the floor for each contact joint.
+using Footprints = std::array<Vec2, kMostContacts>;
+
 /// Footprints that settle: every frame is moved so that its standing joints come onto their prints in the
-/// mean, and every print is the mean of where its joint then stands, by turns. One round takes prints P to
-/// begin + share P, with one row and column for each contact joint, so that rounds cost the same however long
-/// a stance is.
+/// mean, and every print is the mean of where its joint then stands, by turns. One round takes print k to
+/// begin[k] + the sum of share[k][l] times print l, so that rounds cost the same however long a stance is.
 struct Settling {
-  Eigen::MatrixX2d begin;
-  Eigen::MatrixXd share;
+  Footprints begin;
+  std::array<std::array<double, kMostContacts>, kMostContacts> share{};
+
+  Footprints after(const Footprints& prints, std::size_t contacts) const {
+    Footprints settled = begin;
+    for (std::size_t k = 0; k < contacts; ++k) {
+      Vec2 sum = share[k][0] * prints[0];
+      for (std::size_t l = 1; l < contacts; ++l) sum += share[k][l] * prints[l];
+      settled[k] += sum;
+    }
+    return settled;
+  }
 };
 
 Settling settlingOf(const std::vector<TurnedFoot>& feet, std::size_t contacts) {
-  const auto size = static_cast<Eigen::Index>(contacts);
-  Settling settling{Eigen::MatrixX2d::Zero(size, 2), Eigen::MatrixXd::Zero(size, size)};
+  Settling settling;
+  settling.begin.fill(Vec2::Zero());
   std::array<double, kMostContacts> sums{};
   for (const TurnedFoot& foot : feet) {
     const Vec2 middle = meanByHold(foot, contacts, [&](std::size_t k) { return foot.places[k]; });
     for (std::size_t k = 0; k < contacts; ++k) {
-      const auto row = static_cast<Eigen::Index>(k);
       sums[k] += foot.holds[k];
-      settling.begin.row(row) += foot.holds[k] * (foot.places[k] - middle).transpose();
+      settling.begin[k] += foot.holds[k] * (foot.places[k] - middle);
       for (std::size_t l = 0; l < contacts; ++l)
-        settling.share(row, static_cast<Eigen::Index>(l)) += foot.holds[k] * foot.holds[l] / foot.holdSum;
+        settling.share[k][l] += foot.holds[k] * foot.holds[l] / foot.holdSum;
     }
   }
   for (std::size_t k = 0; k < contacts; ++k) {
     if (sums[k] == 0.0) continue;
-    settling.begin.row(static_cast<Eigen::Index>(k)) /= sums[k];
-    settling.share.row(static_cast<Eigen::Index>(k)) /= sums[k];
+    settling.begin[k] /= sums[k];
+    for (std::size_t l = 0; l < contacts; ++l) settling.share[k][l] /= sums[k];
   }
   return settling;
 }
 
 /// The mean place of each joint while it stands, before anything is moved.
-Eigen::MatrixX2d firstPrints(const std::vector<TurnedFoot>& feet, std::size_t contacts) {
-  Eigen::MatrixX2d prints = Eigen::MatrixX2d::Zero(static_cast<Eigen::Index>(contacts), 2);
+Footprints firstPrints(const std::vector<TurnedFoot>& feet, std::size_t contacts) {
+  Footprints prints;
+  prints.fill(Vec2::Zero());
   for (std::size_t k = 0; k < contacts; ++k) {
     Vec2 sum = Vec2::Zero();
     double weights = 0.0;
@@ -130,7 +141,7 @@ Eigen::MatrixX2d firstPrints(const std::vector<TurnedFoot>& feet, std::size_t co
       sum += foot.holds[k] * foot.places[k];
       weights += foot.holds[k];
     }
-    if (weights > 0.0) prints.row(static_cast<Eigen::Index>(k)) = (sum / weights).transpose();
+    if (weights > 0.0) prints[k] = sum / weights;
   }
   return prints;
 }
@@ -140,15 +151,13 @@ std::vector<Vec2> floorShifts(const FootTrack& track, const FootStance& stance,
   const std::size_t contacts = track.points.size();
   const std::vector<TurnedFoot> feet = turnedFeet(track, stance, turns);
   const Settling settling = settlingOf(feet, contacts);
-  Eigen::MatrixX2d prints = firstPrints(feet, contacts);
-  for (int round = 1; round < kSettlingRounds; ++round) prints = settling.begin + settling.share * prints;
+  Footprints prints = firstPrints(feet, contacts);
+  for (int round = 1; round < kSettlingRounds; ++round) prints = settling.after(prints, contacts);
   std::vector<Vec2> shifts;
   shifts.reserve(feet.size());
-  for (const TurnedFoot& foot : feet) {
-    shifts.push_back(meanByHold(foot, contacts, [&](std::size_t k) {
-      return Vec2(prints.row(static_cast<Eigen::Index>(k)).transpose() - foot.places[k]);
-    }));
-  }
+  for (const TurnedFoot& foot : feet)
+    shifts.push_back(
+        meanByHold(foot, contacts, [&](std::size_t k) { return Vec2(prints[k] - foot.places[k]); }));
   return shifts;
 }
 
