@@ -33,20 +33,27 @@ double flatness(const FootTrack& track, std::size_t frame) {
   return second;
 }
 
-/// Turns the flat foot to the mean yaw of the stance; where it does not lie flat it is turned as in the
+/// A turn of the foot about the vertical, said twice.
+struct FootTurn {
+  Heading heading;
+  double radians = 0.0;
+};
+
+/// Turns the flat foot to the mean heading of the stance; where it does not lie flat it is turned as in the
 /// nearest frame before in which it does, or else after.
-std::vector<double> yawCorrections(const FootTrack& track, const FootStance& stance) {
+std::vector<FootTurn> turnCorrections(const FootTrack& track, const FootStance& stance) {
   Vec2 mean = Vec2::Zero();
   for (std::size_t f = stance.first; f <= stance.last; ++f)
-    mean += flatness(track, f) * Vec2(std::sin(track.yaws[f]), std::cos(track.yaws[f]));
-  std::vector<double> turns(stance.last - stance.first + 1, 0.0);
+    mean += flatness(track, f) * track.headings[f].direction();
+  std::vector<FootTurn> turns(stance.last - stance.first + 1);
   if (mean.norm() == 0.0) return turns;
-  const double yaw = std::atan2(mean.x(), mean.y());
+  const Heading wanted = Heading::alongDirection(mean);
   bool seen = false;
   for (std::size_t i = 0; i < turns.size(); ++i) {
     const std::size_t frame = stance.first + i;
     if (flatness(track, frame) > 0.0) {
-      turns[i] = Angle::radians(yaw - track.yaws[frame]).wrapped().radians();
+      const Heading turn = wanted - track.headings[frame];
+      turns[i] = {turn, turn.angle().radians()};
       if (!seen) std::fill(turns.begin(), turns.begin() + static_cast<std::ptrdiff_t>(i), turns[i]);
       seen = true;
     } else if (i > 0) {
@@ -65,14 +72,13 @@ struct TurnedFoot {
 };
 
 std::vector<TurnedFoot> turnedFeet(const FootTrack& track, const FootStance& stance,
-                                   const std::vector<double>& turns) {
+                                   const std::vector<FootTurn>& turns) {
   std::vector<TurnedFoot> feet(turns.size());
   for (std::size_t i = 0; i < turns.size(); ++i) {
     const std::size_t frame = stance.first + i;
     const Vec2 ankle = onFloor(track.ankles[frame].position);
-    const Heading heading = Heading::fromAngle(Angle::radians(turns[i]));
     for (std::size_t k = 0; k < track.points.size(); ++k) {
-      feet[i].places[k] = ankle + heading.rotate(onFloor(track.points[k][frame]) - ankle);
+      feet[i].places[k] = ankle + turns[i].heading.rotate(onFloor(track.points[k][frame]) - ankle);
       feet[i].holds[k] = track.holds[k][frame];
       feet[i].holdSum += feet[i].holds[k];
     }
@@ -147,7 +153,7 @@ Footprints firstPrints(const std::vector<TurnedFoot>& feet, std::size_t contacts
 }
 
 std::vector<Vec2> floorShifts(const FootTrack& track, const FootStance& stance,
-                              const std::vector<double>& turns) {
+                              const std::vector<FootTurn>& turns) {
   const std::size_t contacts = track.points.size();
   const std::vector<TurnedFoot> feet = turnedFeet(track, stance, turns);
   const Settling settling = settlingOf(feet, contacts);
@@ -183,12 +189,12 @@ double liftOf(const FootTrack& track, const FootStance& stance, std::span<const 
 
 PinnedStance pin(const FootTrack& track, const FootStance& stance, std::span<const double> levelsMetres,
                  const PinParams& params) {
-  const std::vector<double> turns = yawCorrections(track, stance);
+  const std::vector<FootTurn> turns = turnCorrections(track, stance);
   const std::vector<Vec2> shifts = floorShifts(track, stance, turns);
   const double up = beyond(liftOf(track, stance, levelsMetres), params.sameLevelMetres);
   PinnedStance pinned{stance, {}};
   for (std::size_t i = 0; i < turns.size(); ++i)
-    pinned.corrections.push_back({shifts[i].x(), up, shifts[i].y(), turns[i], 0.0});
+    pinned.corrections.push_back({shifts[i].x(), up, shifts[i].y(), turns[i].radians, 0.0});
   return pinned;
 }
 
