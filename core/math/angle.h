@@ -23,7 +23,11 @@ class Angle {
   constexpr auto operator<=>(const Angle&) const = default;
 
   /// The same direction in -pi..pi.
-  Angle wrapped() const { return Angle(std::remainder(radians_, 2.0 * std::numbers::pi)); }
+  Angle wrapped() const {
+    // Most angles are there already, and a remainder costs more than all else that is done with them.
+    if (std::abs(radians_) <= std::numbers::pi) return *this;
+    return Angle(std::remainder(radians_, 2.0 * std::numbers::pi));
+  }
 
  private:
   constexpr explicit Angle(double value) : radians_(value) {}

@@ -21,10 +21,9 @@ constexpr double kStillAcceleration = 15.0;  // rad/s^2
 constexpr double kRoundingMargin = 1.0 + 1e-9;
 
 /// Half a turn's rotation vector, roughly: its sine part s of length |s| <= 0.5 is shorter than the vector by
-/// less than 0.19 |s|^3 (asin(x) <= x + 0.19 x^3 there). Longer ones tell nothing.
+/// less than 0.095 |s|^2 (asin(x) <= x + 0.19 x^3 there). Longer ones tell nothing.
 struct HalfTurn {
   Vec3 sine = Vec3::Zero();
-  double length = 0.0;
   double slack = std::numeric_limits<double>::infinity();
 };
 
@@ -33,9 +32,22 @@ HalfTurn halfTurn(const Quat& from, const Quat& to) {
   HalfTurn half;
   half.sine = turn.w() < 0.0 ? Vec3(-turn.vec()) : Vec3(turn.vec());
   const double squared = half.sine.squaredNorm();
-  half.length = std::sqrt(squared);
-  if (squared <= 0.25) half.slack = 0.19 * squared * half.length;
+  if (squared <= 0.25) half.slack = 0.095 * squared;
   return half;
+}
+
+/// Whether a vector that is longer than this one, but by less than `slack`, is shorter than `bound`.
+bool staysBelow(double bound, const Vec3& vector, double slack) {
+  const double rest = bound - slack;
+  return rest > 0.0 && vector.squaredNorm() < rest * rest;
+}
+
+/// Limits as bounds of half turns from frame to frame, and of their changes.
+std::vector<double> perFrame(const std::vector<double>& limits, double perSecond) {
+  std::vector<double> bounds;
+  bounds.reserve(limits.size());
+  for (const double limit : limits) bounds.push_back(limit / (2.0 * perSecond * kRoundingMargin));
+  return bounds;
 }
 
 Vec3 turnVelocity(const Clip& clip, std::size_t frame, std::size_t joint) {
@@ -105,18 +117,19 @@ WorstRatios worstRatios(const MotionLimits& limits, const Clip& clip) {
   WorstRatios worst;
   if (clip.frameCount() == 0) return worst;
   STRIDEGRAPH_CHECK(limits.speeds.size() == clip.jointCount);
-  const double perSecond = 2.0 * clip.framesPerSecond * kRoundingMargin;
+  const std::vector<double> speeds = perFrame(limits.speeds, clip.framesPerSecond);
+  const std::vector<double> accelerations =
+      perFrame(limits.accelerations, clip.framesPerSecond * clip.framesPerSecond);
   std::vector<HalfTurn> before(clip.jointCount);
   for (std::size_t f = 0; f + 1 < clip.frameCount(); ++f) {
     const Quat* const here = clip.rotations.data() + f * clip.jointCount;
     for (std::size_t j = 1; j < clip.jointCount; ++j) {
       const HalfTurn half = halfTurn(here[j], here[clip.jointCount + j]);
       // Arc tangents are taken only where a bound says that the worst may be worse.
-      if (perSecond * (half.length + half.slack) >= worst.speed.ratio * limits.speeds[j])
+      if (!staysBelow(worst.speed.ratio * speeds[j], half.sine, half.slack))
         keepWorst(turnVelocity(clip, f, j).norm() / limits.speeds[j], f + 1, j, worst.speed);
-      const double change = (half.sine - before[j].sine).norm() + half.slack + before[j].slack;
-      if (f > 0 &&
-          perSecond * clip.framesPerSecond * change >= worst.acceleration.ratio * limits.accelerations[j]) {
+      const double bound = worst.acceleration.ratio * accelerations[j];
+      if (f > 0 && !staysBelow(bound, half.sine - before[j].sine, half.slack + before[j].slack)) {
         const double acceleration =
             (turnVelocity(clip, f, j) - turnVelocity(clip, f - 1, j)).norm() * clip.framesPerSecond;
         keepWorst(acceleration / limits.accelerations[j], f, j, worst.acceleration);

@@ -5,8 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "path/rectangle_grid.h"
-
 namespace stridegraph {
 
 namespace {
@@ -132,11 +130,10 @@ class Barrier {
 
   bool joinRectangles() {
     const std::vector<Box>& boxes = plan_.boxes();
-    const RectangleGrid grid(boxes, {plan_.widthMetres(), plan_.depthMetres()}, reach_);
     std::vector<std::size_t> seenWith(boxes.size(), boxes.size());
     bool parted = false;
     for (std::size_t i = 0; i < boxes.size() && !parted; ++i) {
-      grid.cellsOf(grown(boxes[i], reach_), [&](std::span<const std::uint32_t> candidates) {
+      plan_.grid().cellsOf(grown(boxes[i], reach_), [&](std::span<const std::uint32_t> candidates) {
         for (const std::uint32_t j : candidates) {
           if (j <= i || seenWith[j] == i) continue;
           seenWith[j] = i;

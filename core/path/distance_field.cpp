@@ -1,7 +1,6 @@
 #include "path/distance_field.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -12,25 +11,28 @@ namespace stridegraph {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kFineCellMetres = 0.1;
-constexpr double kCoarseCellMetres = 0.2;
-constexpr double kFineAreaSquareMetres = 5000.0;
+constexpr double kFinestCellMetres = 0.1;
+constexpr double kCoarsestCellMetres = 0.25;
+constexpr double kUsualCells = 160'000.0;
 constexpr double kMostWeight = 100.0;
 constexpr double kMostCells = 4'000'000.0;
 constexpr float kLeastStep = 0.7F;  ///< Share of a cell: a little less than 1 / sqrt(2).
+/// Of cells that the front has not reached yet; walls are infinite.
+constexpr float kUnreached = std::numeric_limits<float>::max();
+constexpr float kWall = std::numeric_limits<float>::infinity();
 
 double chooseCellMetres(const FloorPlan& plan, double asked) {
   const double area = plan.widthMetres() * plan.depthMetres();
-  const double usual = area > kFineAreaSquareMetres ? kCoarseCellMetres : kFineCellMetres;
+  const double usual = std::clamp(std::sqrt(area / kUsualCells), kFinestCellMetres, kCoarsestCellMetres);
   const double wanted = asked > 0.0 ? asked : std::min(usual, plan.radiusMetres());
   return std::max(wanted, std::sqrt(area / kMostCells));
 }
 
-/// Solves (u - a)^2 + (u - b)^2 = h^2 for the larger u; one-sided where only one neighbour is upwind.
+/// Solves (u - a)^2 + (u - b)^2 = h^2 for the larger u; where only one neighbour is upwind, low + h is what
+/// a difference of h gives, without a branch.
 float eikonalUpdate(float a, float b, float h) {
   const float low = std::min(a, b);
-  const float difference = std::max(a, b) - low;
-  if (!(difference < h)) return low + h;
+  const float difference = std::min(std::max(a, b) - low, h);
   return low + 0.5F * (difference + std::sqrt(2.0F * h * h - difference * difference));
 }
 
@@ -40,8 +42,7 @@ float eikonalUpdate(float a, float b, float h) {
 /// queue of Yatziv, Bartesaghi and Sapiro 2006). A cell may come up to half a cell's width too early; what
 /// that adds to the distances is less than first-order marching does itself.
 struct DistanceField::Marching {
-  std::vector<std::uint8_t> closed;  ///< Wall or final.
-  std::vector<float> widths;         ///< Of each cell in weighted metres; empty where all are alike.
+  std::vector<float> widths;  ///< Of each cell in weighted metres; empty where all are alike.
   std::vector<std::vector<std::uint32_t>> rings;
   float inverseWidth = 1.0F;
   std::size_t current = 0;  ///< Ring at hand, counted from value 0.
@@ -68,13 +69,14 @@ DistanceField::DistanceField(const FloorPlan& plan, const Vec2& goal, const Para
       columns_(static_cast<std::size_t>(std::ceil(plan.widthMetres() * inverseCell_))),
       rows_(static_cast<std::size_t>(std::ceil(plan.depthMetres() * inverseCell_))),
       stride_(columns_ + 2),
-      values_(stride_ * (rows_ + 2), std::numeric_limits<float>::infinity()) {
+      values_(stride_ * (rows_ + 2), kWall) {
   Marching marching;
-  closeBlockedCells(plan, marching);
-  openCellsAlong(params.openPath, marching);
+  openFreeCells(plan);
+  openCellsAlong(params.openPath);
   if (params.weight) weighCells(params.weight, marching);
   if (plan.isFree(goal)) seedAroundGoal(plan, params.exactRadiusMetres, marching);
   march(marching);
+  for (float& value : values_) value = value == kUnreached ? kWall : value;
 }
 
 std::size_t DistanceField::cellUnder(const Vec2& point) const {
@@ -85,25 +87,26 @@ std::size_t DistanceField::cellUnder(const Vec2& point) const {
   return indexOf(clampedCell(point.x(), columns_), clampedCell(point.y(), rows_));
 }
 
-void DistanceField::closeBlockedCells(const FloorPlan& plan, Marching& marching) const {
-  marching.closed.assign(values_.size(), 1);
+void DistanceField::openFreeCells(const FloorPlan& plan) {
+  std::vector<std::uint8_t> blocked(columns_);
   for (std::size_t r = 1; r <= rows_; ++r) {
-    plan.findBlocked(centreOf(1, r).y(), cellMetres_,
-                     std::span(marching.closed).subspan(indexOf(1, r), columns_));
+    plan.findBlocked(centreOf(1, r).y(), cellMetres_, blocked);
+    float* const row = values_.data() + indexOf(1, r);
+    for (std::size_t c = 0; c < columns_; ++c) row[c] = blocked[c] != 0 ? kWall : kUnreached;
   }
 }
 
-void DistanceField::openCellsAlong(const std::vector<Vec2>& path, Marching& marching) const {
+void DistanceField::openCellsAlong(const std::vector<Vec2>& path) {
   for (std::size_t i = 1; i < path.size(); ++i) {
     const Vec2 along = path[i] - path[i - 1];
     const int steps = 1 + static_cast<int>(4.0 * along.norm() * inverseCell_);
     std::size_t before = cellUnder(path[i - 1]);
-    marching.closed[before] = 0;
+    values_[before] = kUnreached;
     for (int step = 1; step <= steps; ++step) {
       const std::size_t cell = cellUnder(path[i - 1] + (static_cast<double>(step) / steps) * along);
-      marching.closed[cell] = 0;
+      values_[cell] = kUnreached;
       // The front moves along rows and columns only: a diagonal step opens the cell between as well.
-      marching.closed[indexOf(cell % stride_, before / stride_)] = 0;
+      values_[indexOf(cell % stride_, before / stride_)] = kUnreached;
       before = cell;
     }
   }
@@ -142,37 +145,38 @@ void DistanceField::seedAroundGoal(const FloorPlan& plan, double exactRadiusMetr
       const Vec2 centre = centreOf(c, r);
       const double metres = (centre - goal_).norm();
       const bool known = cell == goalCell || (metres <= radius && plan.isFree(centre, goal_));
-      if (known && marching.closed[cell] == 0) seed(cell, metres);
+      if (known && values_[cell] != kWall) seed(cell, metres);
     }
   }
 }
 
 void DistanceField::march(Marching& marching) {
-  const auto stride = static_cast<std::ptrdiff_t>(stride_);
+  constexpr std::size_t kBack = static_cast<std::size_t>(-1);
   const auto cellMetres = static_cast<float>(cellMetres_);
-  const std::array<std::ptrdiff_t, 4> offsets = {-1, 1, -stride, stride};
   float* const values = values_.data();
-  std::uint8_t* const closed = marching.closed.data();
   for (; marching.waiting > 0; ++marching.current) {
     std::vector<std::uint32_t>& ring = marching.ringAt(marching.current);
     // Cells of like value are added to the ring while it is being emptied.
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const std::size_t cell = ring[i];
-      if (closed[cell] != 0) continue;
-      closed[cell] = 1;
+      const float here = values[cell];
       // Values that lie lower than a step across two like neighbours gain next to nothing: not looking at
       // them again adds a few millionths to the distances.
-      const float lowest = values[cell] + kLeastStep * cellMetres;
-      for (const std::ptrdiff_t offset : offsets) {
-        const std::size_t next = cell + static_cast<std::size_t>(offset);
-        if (values[next] <= lowest || closed[next] != 0) continue;
+      const float lowest = here + kLeastStep * cellMetres;
+      const auto look = [&](std::size_t ahead, std::size_t aside) {
+        const std::size_t next = cell + ahead;
+        if (values[next] <= lowest || values[next] == kWall) return;
         const float width = marching.widths.empty() ? cellMetres : marching.widths[next];
-        const float updated = eikonalUpdate(std::min(values[next - 1], values[next + 1]),
-                                            std::min(values[next - stride_], values[next + stride_]), width);
-        if (updated >= values[next]) continue;
+        const float updated = eikonalUpdate(std::min(here, values[next + ahead]),
+                                            std::min(values[next - aside], values[next + aside]), width);
+        if (updated >= values[next]) return;
         values[next] = updated;
         marching.push(updated, next);
-      }
+      };
+      look(kBack, stride_);
+      look(1, stride_);
+      look(kBack * stride_, 1);
+      look(stride_, 1);
     }
     marching.waiting -= ring.size();
     ring.clear();

@@ -15,8 +15,8 @@ namespace stridegraph {
 class DistanceField {
  public:
   struct Params {
-    /// Side of a cell; 0 chooses: 0.1 m, 0.2 m above 5,000 m2, never above the disc's radius, coarser again
-    /// where there would be more than 4 million cells.
+    /// Side of a cell; 0 chooses: 0.1 m, in rooms above 1,600 m2 so large that there are 160,000 cells, up to
+    /// 0.25 m, never above the disc's radius, coarser again where there would be more than 4 million cells.
     double cellMetres = 0.0;
     /// Cells this near to the goal and in its sight start with their exact distance.
     double exactRadiusMetres = 0.5;
@@ -65,8 +65,8 @@ class DistanceField {
   }
   std::size_t indexOf(std::size_t column, std::size_t row) const { return row * stride_ + column; }
   std::size_t cellUnder(const Vec2& point) const;
-  void closeBlockedCells(const FloorPlan& plan, Marching& marching) const;
-  void openCellsAlong(const std::vector<Vec2>& path, Marching& marching) const;
+  void openFreeCells(const FloorPlan& plan);
+  void openCellsAlong(const std::vector<Vec2>& path);
   void weighCells(const std::function<double(const Vec2&)>& weight, Marching& marching) const;
   void seedAroundGoal(const FloorPlan& plan, double exactRadiusMetres, Marching& marching);
   void march(Marching& marching);

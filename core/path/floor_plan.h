@@ -29,6 +29,8 @@ class FloorPlan {
   const std::vector<Rectangle>& obstacles() const { return obstacles_; }
   /// The same rectangles, in the same order, by their corners.
   const std::vector<Box>& boxes() const { return boxes_; }
+  /// Which of them lie within the disc's radius of each cell.
+  const RectangleGrid& grid() const { return grid_; }
 
   /// Distance of a point to the nearest rectangle or wall, metres; negative inside a rectangle or outside the
   /// room.

@@ -26,15 +26,18 @@ OccupancyMap::OccupancyMap(std::span<const Box> boxes, const Vec2& roomSize, dou
     : cellMetres_(std::max(kSmallestCellMetres, std::sqrt(roomSize.x() * roomSize.y() / kMostCells))),
       inverseCell_(1.0 / cellMetres_),
       columns_(static_cast<int>(std::ceil(roomSize.x() * inverseCell_))),
-      rows_(static_cast<int>(std::ceil(roomSize.y() * inverseCell_))),
-      cells_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), Occupancy::kFree) {
+      rows_(static_cast<int>(std::ceil(roomSize.y() * inverseCell_))) {
   markWalls(roomSize, distanceMetres);
   for (const Box& box : boxes) markBox(box, distanceMetres);
 }
 
-void OccupancyMap::raise(int row, const ColumnRange& columns, Occupancy state) {
-  Occupancy* const cells = cells_.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_);
-  for (int c = columns.first; c <= columns.last; ++c) cells[c] = std::max(cells[c], state);
+Occupancy* OccupancyMap::cellsOf(int row) {
+  return cells_.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_);
+}
+
+void OccupancyMap::markMixed(int row, const ColumnRange& columns) {
+  Occupancy* const cells = cellsOf(row);
+  for (int c = columns.first; c <= columns.last; ++c) cells[c] = std::max(cells[c], Occupancy::kMixed);
 }
 
 void OccupancyMap::markWalls(const Vec2& roomSize, double distanceMetres) {
@@ -48,12 +51,13 @@ void OccupancyMap::markWalls(const Vec2& roomSize, double distanceMetres) {
   };
   std::vector<Occupancy> columnStates(static_cast<std::size_t>(columns_));
   for (int c = 0; c < columns_; ++c) columnStates[static_cast<std::size_t>(c)] = stripState(c, roomSize.x());
+  cells_.reserve(columnStates.size() * static_cast<std::size_t>(rows_));
   for (int r = 0; r < rows_; ++r) {
     const Occupancy rowState = stripState(r, roomSize.y());
-    Occupancy* const cells = cells_.data() + static_cast<std::size_t>(r) * static_cast<std::size_t>(columns_);
-    for (int c = 0; c < columns_; ++c) {
-      cells[c] = std::max(rowState, columnStates[static_cast<std::size_t>(c)]);
-    }
+    cells_.insert(cells_.end(), columnStates.begin(), columnStates.end());
+    if (rowState == Occupancy::kFree) continue;
+    Occupancy* const cells = cellsOf(r);
+    for (int c = 0; c < columns_; ++c) cells[c] = std::max(cells[c], rowState);
   }
 }
 
@@ -80,10 +84,14 @@ void OccupancyMap::markBox(const Box& box, double distanceMetres) {
     const double high = low + cellMetres_;
     const double nearest = std::max({box.minZ - high, low - box.maxZ, 0.0});
     if (nearest >= outer) continue;
-    raise(r, nearest > 0.0 ? touchedBy(nearest) : touchedBeside, Occupancy::kMixed);
+    const ColumnRange touched = nearest > 0.0 ? touchedBy(nearest) : touchedBeside;
     const double farthest = std::max({box.minZ - low, high - box.maxZ, 0.0});
-    if (farthest >= inner) continue;
-    raise(r, farthest > 0.0 ? coveredBy(farthest) : coveredBeside, Occupancy::kBlocked);
+    ColumnRange covered{touched.last + 1, touched.last};
+    if (farthest < inner) covered = farthest > 0.0 ? coveredBy(farthest) : coveredBeside;
+    const int coveredEnd = std::max(covered.first, covered.last + 1);
+    markMixed(r, {touched.first, covered.first - 1});
+    std::fill(cellsOf(r) + covered.first, cellsOf(r) + coveredEnd, Occupancy::kBlocked);
+    markMixed(r, {coveredEnd, touched.last});
   }
 }
 

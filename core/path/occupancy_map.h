@@ -46,7 +46,8 @@ class OccupancyMap {
   struct ColumnRange {
     int first, last;
   };
-  void raise(int row, const ColumnRange& columns, Occupancy state);
+  Occupancy* cellsOf(int row);
+  void markMixed(int row, const ColumnRange& columns);
 
   double cellMetres_;
   double inverseCell_;

@@ -55,22 +55,4 @@ std::vector<std::uint32_t> PointGrid::nearest(const Vec2& point, std::size_t cou
   return indices;
 }
 
-std::vector<std::uint32_t> PointGrid::within(const Vec2& point, double metres) const {
-  std::vector<std::pair<double, std::uint32_t>> found;
-  const int lastRow = cellIndex(point.y() + metres, rows_);
-  const int lastColumn = cellIndex(point.x() + metres, columns_);
-  for (int r = cellIndex(point.y() - metres, rows_); r <= lastRow; ++r) {
-    for (int c = cellIndex(point.x() - metres, columns_); c <= lastColumn; ++c) {
-      for (const std::uint32_t index : cells_[static_cast<std::size_t>(r * columns_ + c)]) {
-        const double squared = (points_[index] - point).squaredNorm();
-        if (squared < metres * metres) found.emplace_back(squared, index);
-      }
-    }
-  }
-  std::sort(found.begin(), found.end());
-  std::vector<std::uint32_t> indices;
-  for (const auto& [squared, index] : found) indices.push_back(index);
-  return indices;
-}
-
 }  // namespace stridegraph

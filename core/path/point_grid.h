@@ -20,8 +20,9 @@ class PointGrid {
 
   /// Indices of the nearest points, nearest first; fewer when there are fewer.
   std::vector<std::uint32_t> nearest(const Vec2& point, std::size_t count) const;
-  /// Indices of the points nearer than a distance, nearest first.
-  std::vector<std::uint32_t> within(const Vec2& point, double metres) const;
+  /// Calls visit(index) for the points nearer than a distance, cell by cell.
+  template <typename Visit>
+  void visitWithin(const Vec2& point, double metres, const Visit& visit) const;
 
  private:
   int cellIndex(double metres, int count) const;
@@ -32,5 +33,18 @@ class PointGrid {
   std::vector<Vec2> points_;
   std::vector<std::vector<std::uint32_t>> cells_;
 };
+
+template <typename Visit>
+void PointGrid::visitWithin(const Vec2& point, double metres, const Visit& visit) const {
+  const int lastRow = cellIndex(point.y() + metres, rows_);
+  const int firstColumn = cellIndex(point.x() - metres, columns_);
+  const int lastColumn = cellIndex(point.x() + metres, columns_);
+  for (int r = cellIndex(point.y() - metres, rows_); r <= lastRow; ++r) {
+    for (int c = firstColumn; c <= lastColumn; ++c) {
+      for (const std::uint32_t index : cells_[static_cast<std::size_t>(r * columns_ + c)])
+        if ((points_[index] - point).squaredNorm() < metres * metres) visit(index);
+    }
+  }
+}
 
 }  // namespace stridegraph

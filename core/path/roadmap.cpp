@@ -149,14 +149,17 @@ class LazyRoadmap {
     return visible;
   }
 
-  std::vector<std::uint32_t> neighboursOf(std::uint32_t node) const {
-    if (node == kStart || node == kGoal) return nearEnds_[node];
-    std::vector<std::uint32_t> near = nodes_.within(at(node), reachMetres_);
+  template <typename Visit>
+  void visitNeighbours(std::uint32_t node, const Visit& visit) const {
+    if (node == kStart || node == kGoal) {
+      for (const std::uint32_t near : nearEnds_[node]) visit(near);
+      return;
+    }
+    nodes_.visitWithin(at(node), reachMetres_, visit);
     for (const std::uint32_t end : {kStart, kGoal}) {
       const std::vector<std::uint32_t>& ofEnd = nearEnds_[end];
-      if (std::find(ofEnd.begin(), ofEnd.end(), node) != ofEnd.end()) near.push_back(end);
+      if (std::find(ofEnd.begin(), ofEnd.end(), node) != ofEnd.end()) visit(end);
     }
-    return near;
   }
 
   /// From one node to another, or to the nearest `most` that are joined to it.
@@ -177,15 +180,15 @@ class LazyRoadmap {
       done[node] = true;
       met_.push_back(node);
       if (node == to) return;
-      for (const std::uint32_t next : neighboursOf(node)) {
+      visitNeighbours(node, [&](std::uint32_t next) {
         const double through = metres_[node] + (at(next) - at(node)).norm();
-        if (through >= metres_[next] || !plan_.isFree(at(node), at(next))) continue;
+        if (through >= metres_[next] || !plan_.isFree(at(node), at(next))) return;
         seen_.emplace_back(std::min(node, next), std::max(node, next));
         metres_[next] = through;
         parents_[next] = node;
         heap.emplace_back(through + toGo(next), next);
         std::push_heap(heap.begin(), heap.end(), std::greater<>());
-      }
+      });
     }
   }
 

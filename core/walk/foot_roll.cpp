@@ -47,6 +47,10 @@ void rollOverToes(const FootTrack& track, const WalkFoot& foot, std::span<const 
     const std::size_t f = pinned.stance.first + i;
     FootCorrection& correction = pinned.corrections[i];
     const Vec3& ankle = track.ankles[f].position;
+    const double legInClip = (ankle - track.hips[f]).norm();
+    const double share = ramp(legInClip / foot.legMetres, kBentLeg, kStraightLeg) *
+                         ramp(kHeelHold - track.holds[0][f], 0.0, kHeelHold);
+    if (share == 0.0) continue;
     const Quat yaw = yawTurn(correction[3]);
     Vec3 pivot = Vec3::Zero();
     double weights = 0.0;
@@ -55,10 +59,6 @@ void rollOverToes(const FootTrack& track, const WalkFoot& foot, std::span<const 
       weights += track.holds[k][f];
     }
     if (weights == 0.0) continue;
-    const double legInClip = (ankle - track.hips[f]).norm();
-    const double share = ramp(legInClip / foot.legMetres, kBentLeg, kStraightLeg) *
-                         ramp(kHeelHold - track.holds[0][f], 0.0, kHeelHold);
-    if (share == 0.0) continue;
     pivot /= weights;  // From the ankle.
     const Vec3 place = ankle + correction.head<3>();
     const Vec3 hip = track.hips[f] + Vec3(0.0, hipRisesMetres[f], 0.0);

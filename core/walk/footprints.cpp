@@ -1,11 +1,9 @@
 #include "walk/footprints.h"
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "math/floor_transform.h"
 
@@ -35,20 +33,27 @@ double flatness(const FootTrack& track, std::size_t frame) {
   return second;
 }
 
-/// Turns the flat foot to the mean yaw of the stance; where it does not lie flat it is turned as in the
+/// A turn of the foot about the vertical, said twice.
+struct FootTurn {
+  Heading heading;
+  double radians = 0.0;
+};
+
+/// Turns the flat foot to the mean heading of the stance; where it does not lie flat it is turned as in the
 /// nearest frame before in which it does, or else after.
-std::vector<double> yawCorrections(const FootTrack& track, const FootStance& stance) {
+std::vector<FootTurn> turnCorrections(const FootTrack& track, const FootStance& stance) {
   Vec2 mean = Vec2::Zero();
   for (std::size_t f = stance.first; f <= stance.last; ++f)
-    mean += flatness(track, f) * Vec2(std::sin(track.yaws[f]), std::cos(track.yaws[f]));
-  std::vector<double> turns(stance.last - stance.first + 1, 0.0);
+    mean += flatness(track, f) * track.headings[f].direction();
+  std::vector<FootTurn> turns(stance.last - stance.first + 1);
   if (mean.norm() == 0.0) return turns;
-  const double yaw = std::atan2(mean.x(), mean.y());
+  const Heading wanted = Heading::alongDirection(mean);
   bool seen = false;
   for (std::size_t i = 0; i < turns.size(); ++i) {
     const std::size_t frame = stance.first + i;
     if (flatness(track, frame) > 0.0) {
-      turns[i] = std::remainder(yaw - track.yaws[frame], 2.0 * std::numbers::pi);
+      const Heading turn = wanted - track.headings[frame];
+      turns[i] = {turn, turn.angle().radians()};
       if (!seen) std::fill(turns.begin(), turns.begin() + static_cast<std::ptrdiff_t>(i), turns[i]);
       seen = true;
     } else if (i > 0) {
@@ -67,14 +72,13 @@ struct TurnedFoot {
 };
 
 std::vector<TurnedFoot> turnedFeet(const FootTrack& track, const FootStance& stance,
-                                   const std::vector<double>& turns) {
+                                   const std::vector<FootTurn>& turns) {
   std::vector<TurnedFoot> feet(turns.size());
   for (std::size_t i = 0; i < turns.size(); ++i) {
     const std::size_t frame = stance.first + i;
     const Vec2 ankle = onFloor(track.ankles[frame].position);
-    const Heading heading = Heading::fromAngle(Angle::radians(turns[i]));
     for (std::size_t k = 0; k < track.points.size(); ++k) {
-      feet[i].places[k] = ankle + heading.rotate(onFloor(track.points[k][frame]) - ankle);
+      feet[i].places[k] = ankle + turns[i].heading.rotate(onFloor(track.points[k][frame]) - ankle);
       feet[i].holds[k] = track.holds[k][frame];
       feet[i].holdSum += feet[i].holds[k];
     }
@@ -90,40 +94,52 @@ Vec2 meanByHold(const TurnedFoot& foot, std::size_t contacts, const PointOf& poi
   return sum / foot.holdSum;
 }
 
+/// A place on the floor for each contact joint.
+using Footprints = std::array<Vec2, kMostContacts>;
+
 /// Footprints that settle: every frame is moved so that its standing joints come onto their prints in the
-/// mean, and every print is the mean of where its joint then stands, by turns. One round takes prints P to
-/// begin + share P, with one row and column for each contact joint, so that rounds cost the same however long
-/// a stance is.
+/// mean, and every print is the mean of where its joint then stands, by turns. One round takes print k to
+/// begin[k] + the sum of share[k][l] times print l, so that rounds cost the same however long a stance is.
 struct Settling {
-  Eigen::MatrixX2d begin;
-  Eigen::MatrixXd share;
+  Footprints begin;
+  std::array<std::array<double, kMostContacts>, kMostContacts> share{};
+
+  Footprints after(const Footprints& prints, std::size_t contacts) const {
+    Footprints settled = begin;
+    for (std::size_t k = 0; k < contacts; ++k) {
+      Vec2 sum = share[k][0] * prints[0];
+      for (std::size_t l = 1; l < contacts; ++l) sum += share[k][l] * prints[l];
+      settled[k] += sum;
+    }
+    return settled;
+  }
 };
 
 Settling settlingOf(const std::vector<TurnedFoot>& feet, std::size_t contacts) {
-  const auto size = static_cast<Eigen::Index>(contacts);
-  Settling settling{Eigen::MatrixX2d::Zero(size, 2), Eigen::MatrixXd::Zero(size, size)};
+  Settling settling;
+  settling.begin.fill(Vec2::Zero());
   std::array<double, kMostContacts> sums{};
   for (const TurnedFoot& foot : feet) {
     const Vec2 middle = meanByHold(foot, contacts, [&](std::size_t k) { return foot.places[k]; });
     for (std::size_t k = 0; k < contacts; ++k) {
-      const auto row = static_cast<Eigen::Index>(k);
       sums[k] += foot.holds[k];
-      settling.begin.row(row) += foot.holds[k] * (foot.places[k] - middle).transpose();
+      settling.begin[k] += foot.holds[k] * (foot.places[k] - middle);
       for (std::size_t l = 0; l < contacts; ++l)
-        settling.share(row, static_cast<Eigen::Index>(l)) += foot.holds[k] * foot.holds[l] / foot.holdSum;
+        settling.share[k][l] += foot.holds[k] * foot.holds[l] / foot.holdSum;
     }
   }
   for (std::size_t k = 0; k < contacts; ++k) {
     if (sums[k] == 0.0) continue;
-    settling.begin.row(static_cast<Eigen::Index>(k)) /= sums[k];
-    settling.share.row(static_cast<Eigen::Index>(k)) /= sums[k];
+    settling.begin[k] /= sums[k];
+    for (std::size_t l = 0; l < contacts; ++l) settling.share[k][l] /= sums[k];
   }
   return settling;
 }
 
 /// The mean place of each joint while it stands, before anything is moved.
-Eigen::MatrixX2d firstPrints(const std::vector<TurnedFoot>& feet, std::size_t contacts) {
-  Eigen::MatrixX2d prints = Eigen::MatrixX2d::Zero(static_cast<Eigen::Index>(contacts), 2);
+Footprints firstPrints(const std::vector<TurnedFoot>& feet, std::size_t contacts) {
+  Footprints prints;
+  prints.fill(Vec2::Zero());
   for (std::size_t k = 0; k < contacts; ++k) {
     Vec2 sum = Vec2::Zero();
     double weights = 0.0;
@@ -131,25 +147,23 @@ Eigen::MatrixX2d firstPrints(const std::vector<TurnedFoot>& feet, std::size_t co
       sum += foot.holds[k] * foot.places[k];
       weights += foot.holds[k];
     }
-    if (weights > 0.0) prints.row(static_cast<Eigen::Index>(k)) = (sum / weights).transpose();
+    if (weights > 0.0) prints[k] = sum / weights;
   }
   return prints;
 }
 
 std::vector<Vec2> floorShifts(const FootTrack& track, const FootStance& stance,
-                              const std::vector<double>& turns) {
+                              const std::vector<FootTurn>& turns) {
   const std::size_t contacts = track.points.size();
   const std::vector<TurnedFoot> feet = turnedFeet(track, stance, turns);
   const Settling settling = settlingOf(feet, contacts);
-  Eigen::MatrixX2d prints = firstPrints(feet, contacts);
-  for (int round = 1; round < kSettlingRounds; ++round) prints = settling.begin + settling.share * prints;
+  Footprints prints = firstPrints(feet, contacts);
+  for (int round = 1; round < kSettlingRounds; ++round) prints = settling.after(prints, contacts);
   std::vector<Vec2> shifts;
   shifts.reserve(feet.size());
-  for (const TurnedFoot& foot : feet) {
-    shifts.push_back(meanByHold(foot, contacts, [&](std::size_t k) {
-      return Vec2(prints.row(static_cast<Eigen::Index>(k)).transpose() - foot.places[k]);
-    }));
-  }
+  for (const TurnedFoot& foot : feet)
+    shifts.push_back(
+        meanByHold(foot, contacts, [&](std::size_t k) { return Vec2(prints[k] - foot.places[k]); }));
   return shifts;
 }
 
@@ -175,12 +189,12 @@ double liftOf(const FootTrack& track, const FootStance& stance, std::span<const 
 
 PinnedStance pin(const FootTrack& track, const FootStance& stance, std::span<const double> levelsMetres,
                  const PinParams& params) {
-  const std::vector<double> turns = yawCorrections(track, stance);
+  const std::vector<FootTurn> turns = turnCorrections(track, stance);
   const std::vector<Vec2> shifts = floorShifts(track, stance, turns);
   const double up = beyond(liftOf(track, stance, levelsMetres), params.sameLevelMetres);
   PinnedStance pinned{stance, {}};
   for (std::size_t i = 0; i < turns.size(); ++i)
-    pinned.corrections.push_back({shifts[i].x(), up, shifts[i].y(), turns[i], 0.0});
+    pinned.corrections.push_back({shifts[i].x(), up, shifts[i].y(), turns[i].radians, 0.0});
   return pinned;
 }
 

@@ -1,7 +1,6 @@
 #include "walk/walk_feet.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/check.h"
 
@@ -121,7 +120,7 @@ FootTrack trackFoot(const MotionLibrary& library, const WalkFoot& foot, const Cl
   track.ankles.resize(frameCount);
   track.hips.resize(frameCount);
   track.hipRotations.resize(frameCount);
-  track.yaws.resize(frameCount);
+  track.headings.resize(frameCount);
   track.points.assign(foot.contacts.size(), std::vector<Vec3>(frameCount));
   for (std::size_t f = 0; f < frameCount; ++f) {
     chains.place(clip.pose(f), placements);
@@ -129,7 +128,7 @@ FootTrack trackFoot(const MotionLibrary& library, const WalkFoot& foot, const Cl
     track.hipRotations[f] = placements[slots[0]].rotation;
     track.ankles[f] = placements[slots[1]];
     const Vec3 side = track.ankles[f].rotation * foot.sideInAnkle;
-    track.yaws[f] = std::atan2(-side.z(), side.x());
+    track.headings[f] = Heading::alongDirection({-side.z(), side.x()});
     for (std::size_t i = 0; i < foot.contacts.size(); ++i)
       track.points[i][f] = placements[slots[2 + i]].position;
   }

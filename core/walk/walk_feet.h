@@ -40,7 +40,7 @@ struct FootTrack {
   std::vector<JointPlacement> ankles;      ///< World, frame by frame.
   std::vector<Vec3> hips;                  ///< World, metres,
   std::vector<Quat> hipRotations;          ///< and how they are turned.
-  std::vector<double> yaws;                ///< Of the foot, rad, as Heading: 0 is +z, grows towards +x.
+  std::vector<Heading> headings;           ///< Of the foot.
   std::vector<std::vector<Vec3>> points;   ///< For each of WalkFoot::contacts, where it is.
   std::vector<std::vector<double>> holds;  ///< And how much it stands, 0..1: 1 when it does not move.
 

@@ -107,7 +107,9 @@ TEST(DistanceField, givesDistanceAndDirectionAtOnceAsItDoesApart) {
 
 TEST(DistanceField, choosesCoarserCellsInVastRoomsAndFinerOnesForSmallDiscs) {
   EXPECT_DOUBLE_EQ(DistanceField(FloorPlan(emptyRoom(20.0, 20.0), 0.4), {5.0, 5.0}).cellMetres(), 0.1);
+  EXPECT_DOUBLE_EQ(DistanceField(FloorPlan(emptyRoom(40.0, 40.0), 0.4), {5.0, 5.0}).cellMetres(), 0.1);
   EXPECT_DOUBLE_EQ(DistanceField(FloorPlan(emptyRoom(80.0, 80.0), 0.4), {5.0, 5.0}).cellMetres(), 0.2);
+  EXPECT_DOUBLE_EQ(DistanceField(FloorPlan(emptyRoom(150.0, 150.0), 0.4), {5.0, 5.0}).cellMetres(), 0.25);
   EXPECT_DOUBLE_EQ(DistanceField(FloorPlan(emptyRoom(10.0, 10.0), 0.05), {5.0, 5.0}).cellMetres(), 0.05);
 }
 

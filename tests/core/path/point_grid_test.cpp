@@ -10,22 +10,44 @@
 namespace stridegraph {
 namespace {
 
+Vec2 randomPoint(Random& random) {
+  const double x = random.uniform(0.0, 9.0);
+  return {x, random.uniform(0.0, 7.0)};
+}
+
+PointGrid gridOf300(Random& random) {
+  PointGrid grid({9.0, 7.0}, 0.8);
+  for (int i = 0; i < 300; ++i) grid.add(randomPoint(random));
+  return grid;
+}
+
 TEST(PointGrid, findsTheNearestAsBruteForceDoes) {
   Random random(41);
-  PointGrid grid({9.0, 7.0}, 0.8);
-  for (int i = 0; i < 300; ++i) {
-    const double x = random.uniform(0.0, 9.0);
-    grid.add({x, random.uniform(0.0, 7.0)});
-  }
+  const PointGrid grid = gridOf300(random);
   for (int i = 0; i < 100; ++i) {
-    const double x = random.uniform(0.0, 9.0);
-    const Vec2 point(x, random.uniform(0.0, 7.0));
+    const Vec2 point = randomPoint(random);
     std::vector<std::pair<double, std::uint32_t>> all;
     for (std::uint32_t k = 0; k < 300; ++k) all.emplace_back((grid.points()[k] - point).squaredNorm(), k);
     std::sort(all.begin(), all.end());
     const std::vector<std::uint32_t> found = grid.nearest(point, 12);
     ASSERT_EQ(found.size(), 12U);
     for (std::size_t k = 0; k < found.size(); ++k) EXPECT_EQ(found[k], all[k].second);
+  }
+}
+
+TEST(PointGrid, visitsAllPointsWithinADistanceOnce) {
+  Random random(42);
+  const PointGrid grid = gridOf300(random);
+  for (int i = 0; i < 100; ++i) {
+    const Vec2 point = randomPoint(random);
+    const double metres = random.uniform(0.0, 3.0);
+    std::vector<std::uint32_t> expected;
+    for (std::uint32_t k = 0; k < 300; ++k)
+      if ((grid.points()[k] - point).norm() < metres) expected.push_back(k);
+    std::vector<std::uint32_t> found;
+    grid.visitWithin(point, metres, [&](std::uint32_t index) { found.push_back(index); });
+    std::sort(found.begin(), found.end());
+    EXPECT_EQ(found, expected);
   }
 }
 

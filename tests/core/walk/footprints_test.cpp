@@ -66,7 +66,8 @@ TEST(PinStances, holdsTheYawOfAFlatFoot) {
   const std::vector<PinnedStance> pinned = pinStances(track, kLevels);
   ASSERT_EQ(pinned.size(), 1U);
   for (std::size_t f = 0; f < 31; ++f)
-    EXPECT_NEAR(track.yaws[f] + pinned[0].corrections[f][3], Angle::degrees(3).radians(), 1e-6);
+    EXPECT_NEAR(track.headings[f].angle().radians() + pinned[0].corrections[f][3],
+                Angle::degrees(3).radians(), 1e-6);
 }
 
 TEST(PinStances, dividesAStanceThatWandersTooFar) {

@@ -74,7 +74,7 @@ TEST(TrackFoot, tellsTheYawOfAFootHoweverItIsPitched) {
            axisRotation(Axis::kX, Angle::degrees(60.0 * static_cast<double>(f))) * root;
   }
   const FootTrack track = trackFoot(library, findWalkFeet(library).feet[0], walk.clip, walk.contacts);
-  for (const double yaw : track.yaws) EXPECT_NEAR(yaw, Angle::degrees(40).radians(), 1e-9);
+  for (const Heading& heading : track.headings) EXPECT_NEAR(heading.angle().degrees(), 40.0, 1e-7);
 }
 
 }  // namespace
