@@ -113,7 +113,8 @@ GaitRequest sequence(std::string name, std::vector<GaitSegment> segments) {
 void addStraightWalks(Collector& clips) {
   clips.add(sequence("walk_0.8", {{2.7, 0.8}}));
   clips.add(sequence("walk_1.0", {{3.4, 1.0}}));
-  clips.add(sequence("walk_1.3", {{3.0, 1.3}}));
+  // Long, so that whoever walks straight on need not change clips every two metres, nor his pace.
+  clips.add(sequence("walk_1.3", {{7.0, 1.3}}));
   clips.add(sequence("walk_1.5", {{2.5, 1.5}}));
   clips.add(sequence("walk_1.7", {{2.5, 1.7}}));
   clips.add(sequence("walk_speeds",
