@@ -179,9 +179,10 @@ void addStanding(Collector& clips) {
 }
 
 void addJogs(Collector& clips) {
-  for (const auto& [name, speed] :
-       {std::pair{"jog_2.3", 2.3}, {"jog_2.5", 2.5}, {"jog_2.8", 2.8}, {"jog_3.0", 3.0}})
-    clips.add(sequence(name, {{2.2, speed, 0.0, Gait::kJog}}));
+  clips.add(sequence("jog_2.3", {{2.2, 2.3, 0.0, Gait::kJog}}));
+  clips.add(sequence("jog_2.5", {{2.2, 2.5, 0.0, Gait::kJog}}));
+  clips.add(sequence("jog_2.8", {{3.0, 2.8, 0.0, Gait::kJog}}));
+  clips.add(sequence("jog_3.0", {{3.0, 3.0, 0.0, Gait::kJog}}));
   clips.addBothHands(turn("jog_90", 90, {2.5, 2.4, 1.2, Gait::kJog}, Middle::kOuterFoot));
   clips.add(sequence("walk_to_jog", {{1.6, 1.5}, {1.8, 2.4, 0.0, Gait::kJog}}));
   clips.add(sequence("jog_to_walk", {{1.6, 2.4, 0.0, Gait::kJog}, {1.8, 1.5}}));

@@ -11,8 +11,8 @@ namespace stridegraph {
 /// (0.44 to 0.48 m) of 45, 90, 135 and 180 degrees, begun every quarter of the gait cycle so that a walker
 /// can turn where a corner is, a wide one (1.1 m), slalom, start, stop, standing, turns on the spot, starts
 /// that turn on the spot first, jogs from 2.3 to 3.0 m/s with a turn, and bridges between walk and jog.
-/// Straight jogs are short and have few turns on purpose: a walk through a room is shorter and needs fewer
-/// transitions where jogging is not the cheapest way to cover every metre.
+/// Straight jogs are short and have one turn on purpose: where jogging is the cheapest way to cover a metre,
+/// walks through rooms jog and go wide around corners.
 /// Left and right are mirror images. What connects clips lies 15 frames and more from their ends, since a
 /// transition cannot reach the rest. The same clips on every call.
 std::vector<Clip> defaultGaitClips();
