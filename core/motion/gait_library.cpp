@@ -1,5 +1,6 @@
 #include "motion/gait_library.h"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -16,6 +17,9 @@ constexpr double kPi = std::numbers::pi;
 /// Before and after whatever a clip shows: 15 frames that no transition reaches, the smoothing of a change,
 /// and a few frames of steady going to join at.
 constexpr double kLeadSeconds = 1.0;
+
+/// Half the time in which a walker slows down for a turn.
+constexpr double kTurnSpeedBlend = 0.35;
 
 /// Phases at which the feet pass each other: where a stand begins and ends.
 constexpr double kLeftCarries = 0.5 * kPi;
@@ -65,28 +69,37 @@ class Collector {
   std::uint64_t seed_ = 0;
 };
 
-/// The foot that carries in the middle of a turn.
-enum class Carrier { kOuter, kInner };
+/// Which foot carries in the middle of a turn, or which one the weight goes over to just then: quarters of
+/// the gait cycle, in their order.
+enum class Middle { kInnerFoot, kOntoOuterFoot, kOuterFoot, kOntoInnerFoot };
 
-/// Lets the right foot (outer in a left turn) or the left one carry in the middle of the request.
-void carryInTheMiddle(Carrier carrier, GaitRequest& request) {
+/// With a turn for each of these a walker can begin to turn every 0.3 m, a quarter of a double step.
+constexpr std::array<std::pair<Middle, const char*>, 4> kMiddles = {
+    {{Middle::kOuterFoot, ""},
+     {Middle::kOntoInnerFoot, "_onto_inner_foot"},
+     {Middle::kInnerFoot, "_inner_foot"},
+     {Middle::kOntoOuterFoot, "_onto_outer_foot"}}};
+
+/// Sets the phase at the beginning so that the feet are as asked in the middle of the request, a turn to the
+/// left.
+void placeFeet(Middle wanted, GaitRequest& request) {
   request.startPhase = 0.0;
   const Result<GaitTrack> track = layTrack(request);
   STRIDEGRAPH_CHECK(track.has_value());
   const GaitMoment& middle = track->moments[track->moments.size() / 2];
   const double leftCarries = contactAt(middle).middle();
-  request.startPhase = leftCarries + (carrier == Carrier::kOuter ? kPi : 0.0) - middle.phase;
+  request.startPhase = leftCarries + 0.5 * kPi * static_cast<double>(wanted) - middle.phase;
 }
 
 /// Straight, a turn to the left, straight. The radius is the speed in the turn by its rate.
-GaitRequest turn(std::string name, double degrees, const Turning& how, Carrier carrier) {
+GaitRequest turn(std::string name, double degrees, const Turning& how, Middle middle) {
   const double seconds = degrees * kPi / 180.0 / how.turnRate;
   const GaitSegment straight{kLeadSeconds, how.straightSpeed, 0.0, how.gait};
   GaitRequest request;
   request.name = std::move(name);
   request.segments = {straight, {seconds, how.turnSpeed, how.turnRate, how.gait}, straight};
-  request.speedBlendSeconds = 0.35;
-  carryInTheMiddle(carrier, request);
+  request.speedBlendSeconds = kTurnSpeedBlend;
+  placeFeet(middle, request);
   return request;
 }
 
@@ -100,26 +113,33 @@ GaitRequest sequence(std::string name, std::vector<GaitSegment> segments) {
 void addStraightWalks(Collector& clips) {
   clips.add(sequence("walk_0.8", {{2.7, 0.8}}));
   clips.add(sequence("walk_1.0", {{3.4, 1.0}}));
-  clips.add(sequence("walk_1.3", {{3.0, 1.3}}));
+  // Long, so that whoever walks straight on need not change clips every two metres, nor his pace.
+  clips.add(sequence("walk_1.3", {{7.0, 1.3}}));
   clips.add(sequence("walk_1.5", {{2.5, 1.5}}));
   clips.add(sequence("walk_1.7", {{2.5, 1.7}}));
   clips.add(sequence("walk_speeds",
                      {{1.2, 0.8}, {1.2, 1.0}, {1.2, 1.3}, {1.2, 1.7}, {1.2, 1.3}, {1.2, 1.0}, {1.2, 0.8}}));
 }
 
+/// Walking turns as tight as they go without crossing the feet much: of 0.44 and 0.48 m, so that a body 0.4 m
+/// wide stays close to the corner that it goes around.
+void addTightTurns(Collector& clips) {
+  const Turning brisk{1.15, 0.8, 1.8};
+  const Turning careful{1.15, 0.75, 1.55};
+  for (const auto& [middle, suffix] : kMiddles) {
+    const auto add = [&clips, middle = middle, suffix = suffix](int degrees, const Turning& how) {
+      clips.addBothHands(turn("walk_tight_" + std::to_string(degrees) + suffix, degrees, how, middle));
+    };
+    add(45, brisk);
+    add(90, middle == Middle::kInnerFoot ? careful : brisk);
+    // A half turn in the middle of which the outer foot carries would cross the feet.
+    add(middle == Middle::kOuterFoot ? 135 : 180, careful);
+  }
+}
+
 void addTurns(Collector& clips) {
-  const Turning tight{1.0, 0.75, 1.7};
-  clips.addBothHands(turn("walk_tight_45", 45, tight, Carrier::kOuter));
-  clips.addBothHands(turn("walk_tight_90", 90, tight, Carrier::kOuter));
-  clips.addBothHands(turn("walk_tight_90_other_foot", 90, {1.0, 0.75, 1.3}, Carrier::kInner));
-  clips.addBothHands(turn("walk_tight_135", 135, tight, Carrier::kOuter));
-  clips.addBothHands(turn("walk_tight_180", 180, {1.0, 0.75, 1.6}, Carrier::kInner));
-  clips.addBothHands(turn("walk_sharp_90", 90, {1.0, 0.65, 2.2}, Carrier::kOuter));
-  const Turning wide{1.3, 1.25, 1.1};
-  clips.addBothHands(turn("walk_wide_45", 45, wide, Carrier::kOuter));
-  clips.addBothHands(turn("walk_wide_90", 90, wide, Carrier::kInner));
-  clips.addBothHands(turn("walk_wide_135", 135, wide, Carrier::kOuter));
-  clips.addBothHands(turn("walk_wide_180", 180, wide, Carrier::kInner));
+  addTightTurns(clips);
+  clips.addBothHands(turn("walk_wide_90", 90, {1.3, 1.25, 1.1}, Middle::kInnerFoot));
   const double sway = 40.0 * kPi / 180.0;
   clips.add(sequence("walk_slalom", {{kLeadSeconds, 1.2},
                                      {1.0, 1.2, sway},
@@ -141,32 +161,29 @@ void addStanding(Collector& clips) {
     stop.endPhase = kRightCarries;
     clips.addBothHands(stop);
   }
-  for (const double degrees : {45.0, 90.0}) {
+  // Who is to go elsewhere than where he looks turns first: a curve from a stand leads away from there.
+  for (const int degrees : {45, 90, 135}) {
     const double seconds = degrees * kPi / 180.0 / 1.5;
-    GaitRequest start = sequence("start_into_turn_" + std::to_string(std::lround(degrees)),
-                                 {{1.4, 0.0}, {seconds, 0.75, 1.5}, {kLeadSeconds + 0.3, 1.0}});
+    GaitRequest start = sequence("start_turned_" + std::to_string(degrees),
+                                 {{1.4, 0.0}, {seconds, 0.1, 1.5}, {kLeadSeconds + 0.3, 1.15}});
+    start.speedBlendSeconds = kTurnSpeedBlend;
     start.startPhase = kRightCarries;
     clips.addBothHands(start);
   }
-  for (const double degrees : {90.0, 180.0}) {
-    GaitRequest spot = turn("turn_on_the_spot_" + std::to_string(std::lround(degrees)), degrees,
-                            {0.0, 0.0, 1.25}, Carrier::kOuter);
+  for (const int degrees : {90, 180}) {
+    GaitRequest spot =
+        turn("turn_on_the_spot_" + std::to_string(degrees), degrees, {0.0, 0.0, 1.25}, Middle::kOuterFoot);
     spot.startPhase = kLeftCarries;
     clips.addBothHands(spot);
   }
 }
 
 void addJogs(Collector& clips) {
-  for (const auto& [name, speed] :
-       {std::pair{"jog_2.3", 2.3}, {"jog_2.5", 2.5}, {"jog_2.8", 2.8}, {"jog_3.0", 3.0}})
-    clips.add(sequence(name, {{2.2, speed, 0.0, Gait::kJog}}));
-  clips.add(sequence("jog_speeds", {{1.2, 2.3, 0.0, Gait::kJog},
-                                    {1.2, 2.6, 0.0, Gait::kJog},
-                                    {1.2, 2.9, 0.0, Gait::kJog},
-                                    {1.2, 2.6, 0.0, Gait::kJog},
-                                    {1.2, 2.3, 0.0, Gait::kJog}}));
-  clips.addBothHands(turn("jog_45", 45, {2.6, 2.6, 1.0, Gait::kJog}, Carrier::kOuter));
-  clips.addBothHands(turn("jog_90", 90, {2.5, 2.4, 1.2, Gait::kJog}, Carrier::kOuter));
+  clips.add(sequence("jog_2.3", {{2.2, 2.3, 0.0, Gait::kJog}}));
+  clips.add(sequence("jog_2.5", {{2.2, 2.5, 0.0, Gait::kJog}}));
+  clips.add(sequence("jog_2.8", {{3.0, 2.8, 0.0, Gait::kJog}}));
+  clips.add(sequence("jog_3.0", {{3.0, 3.0, 0.0, Gait::kJog}}));
+  clips.addBothHands(turn("jog_90", 90, {2.5, 2.4, 1.2, Gait::kJog}, Middle::kOuterFoot));
   clips.add(sequence("walk_to_jog", {{1.6, 1.5}, {1.8, 2.4, 0.0, Gait::kJog}}));
   clips.add(sequence("jog_to_walk", {{1.6, 2.4, 0.0, Gait::kJog}, {1.8, 1.5}}));
 }

@@ -7,13 +7,14 @@
 namespace stridegraph {
 
 /// The default clips: synthesised walks and jogs of the body of gaitSkeleton() at 30 frames a second, so that
-/// a library can be built with no captured data. Straight at several speeds, changes of speed, turns of 45,
-/// 90, 135 and 180 degrees to both sides, tight (0.45 m) and wide (1.1 m), slalom, start, stop, standing,
-/// turns on the spot, starts into a turn, jogs from 2.3 to 3.0 m/s with turns, and bridges between walk and
-/// jog.
-///  Left and right are mirror images. What connects
-/// clips lies 15 frames and more from their ends, since a transition cannot reach the rest. The same clips on
-/// every call.
+/// a library can be built with no captured data. Straight at several speeds, changes of speed, tight turns
+/// (0.44 to 0.48 m) of 45, 90, 135 and 180 degrees, begun every quarter of the gait cycle so that a walker
+/// can turn where a corner is, a wide one (1.1 m), slalom, start, stop, standing, turns on the spot, starts
+/// that turn on the spot first, jogs from 2.3 to 3.0 m/s with a turn, and bridges between walk and jog.
+/// Straight jogs are short and have one turn on purpose: where jogging is the cheapest way to cover a metre,
+/// walks through rooms jog and go wide around corners.
+/// Left and right are mirror images. What connects clips lies 15 frames and more from their ends, since a
+/// transition cannot reach the rest. The same clips on every call.
 std::vector<Clip> defaultGaitClips();
 
 /// Two jogs like those that the METU thesis built its graph of (section 5.3.4): a straight one of 46 frames

@@ -114,8 +114,9 @@ std::vector<Figure> similarityFigures(const FigureInputs& inputs) {
   if (longest.size() < 2) return {};
   for (LibraryClip& clip : longest)
     clip.frameCount = std::min(clip.frameCount, static_cast<std::uint32_t>(kMostFrames));
-  const Clip a = clipOf(library, longest[0]);
-  const Clip b = clipOf(library, longest[1]);
+  // The longer one goes to the right, so that the panels are as wide as their titles.
+  const Clip a = clipOf(library, longest[1]);
+  const Clip b = clipOf(library, longest[0]);
   const Matrix matrix = matrixOf(library, a, b);
   if (matrix.rows == 0 || matrix.columns == 0) return {};
 

@@ -29,7 +29,8 @@ buildDefaultLibrary() {
     rm -rf build/gait build/library
     mkdir -p build/gait build/library
     build/bin/stridegraph gait -o build/gait
-    build/bin/stridegraph build build/gait/*.bvh -o "$library" --threshold 0.03 --license "$(cat build/gait/ORIGIN.txt)" \
+    build/bin/stridegraph build build/gait/*.bvh -o "$library" --threshold 0.03 --neighbours 18 \
+      --license "$(cat build/gait/ORIGIN.txt)" \
       --report build/library/default.json
   fi
 }

@@ -15,6 +15,7 @@ namespace {
 using testing::fastestJoint;
 using testing::framesWithoutFirmFoot;
 using testing::lowestSole;
+using testing::soleAt;
 
 const Clip& named(const std::vector<Clip>& clips, const std::string& name) {
   for (const Clip& clip : clips)
@@ -37,6 +38,61 @@ double turnedDegrees(const Clip& clip) {
   const Heading first = separateHeading(clip.pose(0).rotations[0]).heading;
   const Heading last = separateHeading(clip.pose(clip.frameCount() - 1).rotations[0]).heading;
   return (last - first).angle().degrees();
+}
+
+/// By how many degrees the body turns from a frame to the next, to the left.
+double degreesTurned(const Clip& clip, std::size_t frame) {
+  const Heading now = separateHeading(clip.pose(frame).rotations[0]).heading;
+  const Heading next = separateHeading(clip.pose(frame + 1).rotations[0]).heading;
+  return (next - now).angle().degrees();
+}
+
+double meanSpeed(const Clip& clip, std::size_t first, std::size_t last) {
+  double sum = 0.0;
+  for (std::size_t f = first; f < last; ++f) sum += rootSpeed(clip, f);
+  return sum / static_cast<double>(last - first);
+}
+
+/// How far the left foot is to the left of the right one, seen from the body.
+double sideways(const Clip& clip, std::size_t frame) {
+  const auto joints = jointPositions(gaitSkeleton(), clip.pose(frame));
+  const Heading facing = separateHeading(clip.pose(frame).rotations[0]).heading;
+  const Vec2 apart =
+      onFloor(joints[indexOf(GaitJoint::kLeftFoot)]) - onFloor(joints[indexOf(GaitJoint::kRightFoot)]);
+  return apart.dot(facing.rotate({1.0, 0.0}));
+}
+
+double degreesInName(const Clip& clip) {
+  return std::stod(clip.name.substr(clip.name.find_first_of("0123456789")));
+}
+
+struct Arc {
+  double radiusMetres = 0.0;
+  double speed = 0.0;  ///< m/s
+};
+
+/// Of the frames in which the body turns from a quarter to three quarters of the angle in the clip's name.
+Arc middleOfTurn(const Clip& clip) {
+  double turned = 0.0;
+  double metres = 0.0;
+  double degrees = 0.0;
+  double frames = 0.0;
+  for (std::size_t f = 0; f + 1 < clip.frameCount(); ++f) {
+    const double step = std::abs(degreesTurned(clip, f));
+    turned += step;
+    if (turned < 0.25 * degreesInName(clip) || turned > 0.75 * degreesInName(clip)) continue;
+    degrees += step;
+    metres += rootSpeed(clip, f) / clip.framesPerSecond;
+    frames += 1.0;
+  }
+  return {metres / Angle::degrees(degrees).radians(), metres * clip.framesPerSecond / frames};
+}
+
+std::vector<Clip> tightTurns() {
+  std::vector<Clip> turns;
+  for (Clip& clip : defaultGaitClips())
+    if (clip.name.rfind("walk_tight_", 0) == 0) turns.push_back(std::move(clip));
+  return turns;
 }
 
 TEST(DefaultGaitClips, haveNamesOfTheirOwnAndOneSkeletonAndRate) {
@@ -87,39 +143,74 @@ TEST(DefaultGaitClips, moveNoJointFasterThanCapturedWalksAndJogsDo) {
 }
 
 TEST(DefaultGaitClips, turnByTheAngleInTheirName) {
-  const std::vector<Clip> clips = defaultGaitClips();
-  for (const char* kind : {"walk_tight_", "walk_wide_", "turn_on_the_spot_"})
-    for (const int degrees : {45, 90, 135, 180}) {
-      if (std::string(kind) == "turn_on_the_spot_" && degrees % 90 != 0) continue;
-      const double left = turnedDegrees(named(clips, kind + std::to_string(degrees) + "_left"));
-      EXPECT_NEAR(std::remainder(left - degrees, 360.0), 0.0, 20.0) << kind << degrees;
+  for (const char* kind : {"walk_tight_", "walk_wide_", "turn_on_the_spot_", "start_turned_", "jog_90"}) {
+    std::size_t found = 0;
+    for (const Clip& clip : defaultGaitClips()) {
+      if (clip.name.rfind(kind, 0) != 0) continue;
+      const double asked = degreesInName(clip);
+      const double side = clip.name.ends_with("_left") ? 1.0 : -1.0;
+      EXPECT_NEAR(std::remainder(side * turnedDegrees(clip) - asked, 360.0), 0.0, 20.0) << clip.name;
+      ++found;
     }
+    EXPECT_GE(found, 2u) << kind;
+  }
 }
 
 TEST(DefaultGaitClips, neverCrossTheFeetWhenTurningOnTheSpot) {
   const std::vector<Clip> clips = defaultGaitClips();
   for (const char* name : {"turn_on_the_spot_90_left", "turn_on_the_spot_180_right"}) {
     const Clip& clip = named(clips, name);
-    for (std::size_t f = 0; f < clip.frameCount(); ++f) {
-      const auto joints = jointPositions(gaitSkeleton(), clip.pose(f));
-      const Heading facing = separateHeading(clip.pose(f).rotations[0]).heading;
-      const Vec2 apart =
-          onFloor(joints[indexOf(GaitJoint::kLeftFoot)]) - onFloor(joints[indexOf(GaitJoint::kRightFoot)]);
-      EXPECT_GT(apart.dot(facing.rotate({1.0, 0.0})), 0.10) << name << " frame " << f;
-    }
+    for (std::size_t f = 0; f < clip.frameCount(); ++f)
+      EXPECT_GT(sideways(clip, f), 0.10) << name << " frame " << f;
   }
 }
 
-TEST(DefaultGaitClips, turnTightlyEnoughForNarrowRooms) {
-  const std::vector<Clip> clips = defaultGaitClips();
-  const Clip& turn = named(clips, "walk_tight_180_left");
-  double smallest = turn.rootPositions[0].x();
-  double largest = smallest;
-  for (const Vec3& root : turn.rootPositions) {
-    smallest = std::min(smallest, root.x());
-    largest = std::max(largest, root.x());
+TEST(DefaultGaitClips, goAroundCornersOnTightArcsAndComeAndLeaveAtAWalk) {
+  std::size_t arcs = 0;
+  double sum = 0.0;
+  for (const Clip& clip : tightTurns()) {
+    const std::size_t end = clip.frameCount() - 1;
+    EXPECT_NEAR(meanSpeed(clip, 0, 20), 1.15, 0.1) << clip.name;
+    EXPECT_NEAR(meanSpeed(clip, end - 20, end), 1.15, 0.1) << clip.name;
+    if (degreesInName(clip) < 90.0) continue;
+    const Arc arc = middleOfTurn(clip);
+    EXPECT_LT(arc.radiusMetres, 0.7) << clip.name;
+    EXPECT_NEAR(arc.speed, 0.8, 0.1) << clip.name;
+    sum += arc.radiusMetres;
+    ++arcs;
   }
-  EXPECT_LT(largest - smallest, 1.5) << "a half circle of 0.6 m and its run-in";
+  ASSERT_EQ(arcs, 16u);
+  EXPECT_LT(sum / static_cast<double>(arcs), 0.5);
+}
+
+TEST(DefaultGaitClips, turnTightlyOnTheFootInTheirNameAndHardlyCrossTheFeet) {
+  for (const Clip& clip : tightTurns()) {
+    for (std::size_t f = 0; f < clip.frameCount(); ++f)
+      EXPECT_GT(sideways(clip, f), -0.05) << clip.name << " frame " << f;
+    if (clip.name.find("_onto_") != std::string::npos) continue;
+    const bool left = clip.name.ends_with("_left");
+    const bool inner = clip.name.find("_inner_foot") != std::string::npos;
+    const std::size_t middle = clip.frameCount() / 2;
+    const double carries = soleAt(clip, middle, left == inner ? Side::kLeft : Side::kRight).toe.y();
+    const double swings = soleAt(clip, middle, left == inner ? Side::kRight : Side::kLeft).toe.y();
+    EXPECT_LT(carries, kGaitSoleMetres + 0.002) << clip.name;
+    EXPECT_GT(swings, kGaitSoleMetres + 0.010) << clip.name;
+  }
+}
+
+TEST(DefaultGaitClips, haveTurnedBeforeTheyLeaveAStandTurned) {
+  const std::vector<Clip> clips = defaultGaitClips();
+  for (const int degrees : {45, 90, 135}) {
+    const Clip& clip = named(clips, "start_turned_" + std::to_string(degrees) + "_left");
+    const std::size_t end = clip.frameCount() - 1;
+    std::size_t f = 0;
+    for (double turned = 0.0; turned < 0.75 * degrees; ++f) {
+      ASSERT_LT(f, end);
+      turned += degreesTurned(clip, f);
+    }
+    EXPECT_LT((onFloor(clip.rootPositions[f]) - onFloor(clip.rootPositions[0])).norm(), 0.2) << degrees;
+    EXPECT_NEAR(meanSpeed(clip, end - 20, end), 1.15, 0.1) << degrees;
+  }
 }
 
 TEST(DefaultGaitClips, startFromAndStopToAStand) {

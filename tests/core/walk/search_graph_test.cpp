@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "walk/test_gait_library.h"
 #include "walk/test_library.h"
 
 namespace stridegraph {
@@ -119,6 +120,16 @@ TEST(SearchGraph, ofASingleLoopHasOneNode) {
   const SearchGraph graph(library);
   ASSERT_EQ(graph.nodeCount(), 1U);
   EXPECT_EQ(graph.edgesFrom(0)[0].sampleCount, 24U);
+}
+
+TEST(SearchGraph, hasWaysThroughEveryClipOfTheDefaultLibrary) {
+  const MotionLibrary& library = testing::gaitPlanner().library();
+  for (const LibraryClip& clip : library.clips) {
+    const auto lies = [&clip](FrameIndex node) {
+      return node.value >= clip.firstFrame && node.value < clip.firstFrame + clip.frameCount;
+    };
+    EXPECT_TRUE(std::any_of(library.graph.nodes.begin(), library.graph.nodes.end(), lies)) << clip.name;
+  }
 }
 
 }  // namespace

@@ -18,6 +18,7 @@ inline std::shared_ptr<const WalkPlanner> sharedGaitPlanner() {
       clips.push_back({gaitSkeleton(), gaitBvhLayout(), std::move(clip), {}});
     LibraryParams params;
     params.thresholdMetres = 0.03;
+    params.neighbourFrames = 18;
     auto builder = LibraryBuilder::start(std::move(clips), params);
     STRIDEGRAPH_CHECK(builder.has_value());
     while (builder->step()) {
