@@ -25,8 +25,8 @@ constexpr double kTurnMetresPerRadian = 0.15;
 
 }  // namespace
 
-CostToGo::CostToGo(const SearchTables& tables, const DistanceField& field, const Vec2& roomSize)
-    : tables_(tables),
+CostToGo::CostToGo(const SteeringTable& steering, const DistanceField& field, const Vec2& roomSize)
+    : steering_(steering),
       field_(field),
       pitchMetres_(2.0 * field.cellMetres()),
       columns_(static_cast<std::size_t>(roomSize.x() / pitchMetres_) + 2),
@@ -162,13 +162,13 @@ double CostToGo::estimate(std::uint32_t node, const FloorTransform& placement) {
   // In a gap that no post stands in, the bare way has to do.
   if (!at) return field_.metresToGoal(placement.translation);
   const double straight =
-      tables_.steering.costPerMetre() * double{at->metres} + kTurnMetresPerRadian * double{at->turnedRadians};
+      steering_.costPerMetre() * double{at->metres} + kTurnMetresPerRadian * double{at->turnedRadians};
   const double sin = double{at->sin};
   const double cos = double{at->cos};
   if (sin * sin + cos * cos < kLeastDirection * kLeastDirection) return straight;
   // As a difference of headings, but not brought to unit length, which the table does not need.
   const Heading& facing = placement.heading;
-  return straight + tables_.steering.extraMetres(
+  return straight + steering_.extraMetres(
                         node, {sin * facing.cos - cos * facing.sin, cos * facing.cos + sin * facing.sin});
 }
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "path/distance_field.h"
-#include "walk/search_tables.h"
+#include "walk/steering.h"
 
 namespace stridegraph {
 
@@ -16,7 +16,7 @@ namespace stridegraph {
 /// of a grid over the floor, and read between them; answers do not depend on the order of the questions.
 class CostToGo {
  public:
-  CostToGo(const SearchTables& tables, const DistanceField& field, const Vec2& roomSize);
+  CostToGo(const SteeringTable& steering, const DistanceField& field, const Vec2& roomSize);
 
   /// Metres; infinite where the goal cannot be reached. With what was learned.
   double metres(std::uint32_t node, const FloorTransform& placement);
@@ -53,7 +53,7 @@ class CostToGo {
   std::size_t onwardFrom(std::size_t post) const;
   std::optional<Prospect> prospectAt(const Vec2& point);
 
-  const SearchTables& tables_;
+  const SteeringTable& steering_;
   const DistanceField& field_;
   double pitchMetres_;
   std::size_t columns_, rows_;

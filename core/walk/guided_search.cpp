@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "path/polyline.h"
 #include "walk/guided_run.h"
 
 namespace stridegraph {
@@ -40,7 +41,7 @@ std::vector<StartHeading> startHeadings(const MotionQuery& query, const GuidedSe
 }
 
 /// Stages: weight, its growth, factor on transitions, cells, headings, expansions, and more for each metre.
-constexpr GuidedStage kUsual = {1.05, 1.04, 1.0, 0.2, 24, 40'000, 250.0};
+constexpr GuidedStage kUsual = {1.02, 1.04, 1.0, 0.2, 24, 40'000, 250.0};
 /// Where others move: what they cost is not in the estimate, so little greed finds nothing soon, and places
 /// are there at many times, so there have to be fewer of them.
 constexpr GuidedStage kAmongMovers = {1.4, 1.1, 1.0, 0.3, 16, 40'000, 250.0};
@@ -70,13 +71,45 @@ std::string explain(SearchStatus status, const SearchTrouble& trouble, const Mot
       nearestReached(trouble, query.plan));
 }
 
+/// Who has to be faster than this on average to be there in time had better be so all the way.
+constexpr double kEasyMetresPerSecond = 1.0;
+
+/// What the scene asks for, with the pace that it takes to be there in time. Paths are no longer than their
+/// polyline.
+WalkConstraints wishesOf(const MotionQuery& query) {
+  if (query.constraints == nullptr) return {};
+  WalkConstraints wishes = *query.constraints;
+  if (!wishes.latestArrivalSeconds || wishes.minSpeedMetresPerSecond) return wishes;
+  const double begun = query.onward ? query.onward->frame / query.library.frames.framesPerSecond : 0.0;
+  const double left = *wishes.latestArrivalSeconds - begun;
+  const double needed = left > 0.0 ? polylineLength(query.path) / left : 0.0;
+  if (needed <= kEasyMetresPerSecond) return wishes;
+  wishes.minSpeedMetresPerSecond = std::min(needed, wishes.maxSpeedMetresPerSecond.value_or(needed));
+  return wishes;
+}
+
+/// The query with other wishes, which have to outlive it.
+MotionQuery withWishes(MotionQuery query, const WalkConstraints& wishes) {
+  query.constraints = &wishes;
+  return query;
+}
+
+/// A steering table for who is asked for a pace, since it changes what every way costs.
+std::optional<SteeringTable> steeringUnlessUsual(const MotionQuery& query, const WalkCost& cost) {
+  if (!query.constraints->asksForPace()) return std::nullopt;
+  const double framesPerSecond = query.library.frames.framesPerSecond;
+  const ConstraintCost wishes(*query.constraints, framesPerSecond);
+  return SteeringTable(query.tables.graph, cost, framesPerSecond,
+                       [&](const SearchEdge& way) { return wishes.ofPace(way); });
+}
+
 /// A field of the query's own where none is known, or where areas make some metres count for more.
-std::optional<DistanceField> fieldUnlessKnown(const MotionQuery& query) {
+std::optional<DistanceField> fieldUnlessKnown(const MotionQuery& query, const SteeringTable& steering) {
   DistanceField::Params params;
   params.openPath.assign(query.path.begin(), query.path.end());
-  if (query.constraints != nullptr && !query.constraints->areas.empty()) {
+  if (!query.constraints->areas.empty()) {
     const ConstraintCost wishes(*query.constraints, query.library.frames.framesPerSecond);
-    const double perMetre = query.tables.steering.costPerMetre();
+    const double perMetre = steering.costPerMetre();
     params.weight = [wishes, perMetre](const Vec2& point) {
       return 1.0 + wishes.perMetreAt(point) / perMetre;
     };
@@ -90,11 +123,14 @@ std::optional<DistanceField> fieldUnlessKnown(const MotionQuery& query) {
 class Cascade {
  public:
   Cascade(const MotionQuery& query, const GuidedSearchParams& params)
-      : query_(query),
+      : wishes_(wishesOf(query)),
+        query_(withWishes(query, wishes_)),
         params_(params),
-        ownField_(fieldUnlessKnown(query)),
+        ownSteering_(steeringUnlessUsual(query_, params.cost)),
+        steering_(ownSteering_ ? *ownSteering_ : query.tables.steering),
+        ownField_(fieldUnlessKnown(query_, steering_)),
         field_(ownField_ ? *ownField_ : *query.field),
-        costToGo_(query.tables, field_, {query.plan.widthMetres(), query.plan.depthMetres()}) {}
+        costToGo_(steering_, field_, {query.plan.widthMetres(), query.plan.depthMetres()}) {}
 
   MotionResult run() {
     MotionResult result;
@@ -170,9 +206,12 @@ class Cascade {
 
   bool outOfTime() const { return query_.outOfTime && query_.outOfTime(); }
 
-  const MotionQuery& query_;
+  WalkConstraints wishes_;
+  MotionQuery query_;
   const GuidedSearchParams& params_;
   GuidedStage stage_;  ///< Tried last.
+  std::optional<SteeringTable> ownSteering_;
+  const SteeringTable& steering_;
   std::optional<DistanceField> ownField_;
   const DistanceField& field_;
   CostToGo costToGo_;

@@ -8,13 +8,23 @@
 namespace stridegraph {
 namespace {
 
-constexpr int kSweeps = 120;
+/// Sweeps at most; twenty are usual.
+constexpr int kSweeps = 60;
 
-/// Share of the new value in each sweep: cycles of ways of one length would swing otherwise.
-constexpr float kDamping = 0.7F;
+/// Settled when a sweep changes the cost per metre by less than this.
+constexpr double kSettled = 1e-4;
 
-/// Progress of a typical way, metres: turns the drift of the values into an error of the cost per metre.
-constexpr double kTypicalProgressMetres = 0.5;
+/// What walks cost per metre at first.
+constexpr double kLikelyCostPerMetre = 1.1;
+
+/// Progress of a typical walk that one sweep follows, metres: turns the drift of the values into an error of
+/// the cost per metre. Too much is slow, too little swings.
+constexpr double kSweepProgressMetres = 12.0;
+
+/// What comes after each way counts for a little less when the values are found, since rooms bend walks after
+/// some metres: a walker need not break into a jog for what that would save far away.
+constexpr float kOnwardShare = 0.97F;
+constexpr int kSweepsOnward = 20;
 
 /// A way as the iteration sees it.
 struct Step {
@@ -33,8 +43,7 @@ double sectorsOf(const Heading& heading) {
 
 class SteeringIteration {
  public:
-  SteeringIteration(const SearchGraph& graph, const WalkCost& cost, double framesPerSecond,
-                    SteeringTable& table)
+  SteeringIteration(const SearchGraph& graph, const SteeringTable::MoreCost& costOf, SteeringTable& table)
       : table_(table), nodes_(graph.nodeCount()) {
     for (std::uint32_t s = 0; s < kSectors; ++s) {
       const Heading heading = Heading::fromAngle(Angle::degrees(360.0 * s / kSectors));
@@ -44,7 +53,7 @@ class SteeringIteration {
     for (std::uint32_t node = 0; node < nodes_; ++node) {
       firstStep_.push_back(static_cast<std::uint32_t>(steps_.size()));
       for (const SearchEdge& edge : graph.edgesFrom(node)) {
-        if (edge.to != SearchEdge::kNone) steps_.push_back(stepAlong(edge, cost, framesPerSecond));
+        if (edge.to != SearchEdge::kNone) steps_.push_back(stepAlong(edge, costOf(edge)));
       }
     }
     firstStep_.push_back(static_cast<std::uint32_t>(steps_.size()));
@@ -52,13 +61,19 @@ class SteeringIteration {
   }
 
   void run() {
-    std::vector<float> next(table_.values_.size(), 0.0F);
-    for (int sweep = 0; sweep < kSweeps; ++sweep) {
-      const double drift = this->sweep(next);
-      table_.values_.swap(next);
-      table_.costPerMetre_ += drift / kTypicalProgressMetres;
+    table_.costPerMetre_ = kLikelyCostPerMetre;
+    for (int i = 0; i < kSweeps; ++i) {
+      const double change = sweep() / kSweepProgressMetres;
+      table_.costPerMetre_ += change;
+      if (std::abs(change) < kSettled) break;
     }
-    const float least = *std::min_element(table_.values_.begin(), table_.values_.end());
+    onwardShare_ = kOnwardShare;
+    for (int i = 0; i < kSweepsOnward; ++i) {
+      const float least = leastValue();
+      for (float& value : table_.values_) value -= least;
+      sweep();
+    }
+    const float least = leastValue();
     for (float& value : table_.values_) value -= least;
   }
 
@@ -66,35 +81,35 @@ class SteeringIteration {
   static constexpr std::uint32_t kSectors = SteeringTable::kSectors;
   static constexpr std::uint32_t kRow = SteeringTable::kRow;
 
-  static Step stepAlong(const SearchEdge& edge, const WalkCost& cost, double framesPerSecond) {
+  static Step stepAlong(const SearchEdge& edge, double cost) {
     const double turned = sectorsOf(Heading{} - edge.end.heading);
     const auto whole = static_cast<std::uint32_t>(turned);
     return {edge.to,
-            static_cast<float>(cost.ofGoing(edge, framesPerSecond) + cost.ofTransitions(edge)),
+            static_cast<float>(cost),
             static_cast<float>(edge.end.translation.x()),
             static_cast<float>(edge.end.translation.y()),
             whole % kSectors,
             static_cast<float>(turned - static_cast<double>(whole))};
   }
 
-  /// One sweep over all nodes; returns by how much the smallest value fell or rose.
-  double sweep(std::vector<float>& next) const {
+  float leastValue() const { return *std::min_element(table_.values_.begin(), table_.values_.end()); }
+
+  /// One sweep over all nodes; returns by how much the smallest value fell or rose. Clips run from node to
+  /// node, so from the last node to the first what is known of a clip's end comes to its beginning at once.
+  double sweep() {
     const auto perMetre = static_cast<float>(table_.costPerMetre_);
+    const double before = double{leastValue()};
     std::array<float, kSectors> best;
-    for (std::size_t node = 0; node < nodes_; ++node) {
+    for (std::size_t node = nodes_; node-- > 0;) {
       best.fill(std::numeric_limits<float>::max());
       for (std::uint32_t s = firstStep_[node]; s < firstStep_[node + 1]; ++s)
         relax(steps_[s], perMetre, best);
-      const float* const old = table_.values_.data() + node * kRow;
-      float* const row = next.data() + node * kRow;
-      for (std::uint32_t k = 0; k < kSectors; ++k) {
-        row[k] = old[k] + kDamping * (best[k] - old[k]);
-        row[k + kSectors] = row[k];
-      }
+      float* const row = table_.values_.data() + node * kRow;
+      std::copy(best.begin(), best.end(), row);
+      std::copy(best.begin(), best.end(), row + kSectors);
       row[2 * kSectors] = row[0];
     }
-    const float before = *std::min_element(table_.values_.begin(), table_.values_.end());
-    return static_cast<double>(*std::min_element(next.begin(), next.end()) - before);
+    return double{leastValue()} - before;
   }
 
   void relax(const Step& step, float perMetre, std::array<float, kSectors>& best) const {
@@ -102,7 +117,7 @@ class SteeringIteration {
     for (std::uint32_t k = 0; k < kSectors; ++k) {
       const float progress = step.right * sines_[k] + step.ahead * cosines_[k];
       const float onward = values[k] + step.share * (values[k + 1] - values[k]);
-      best[k] = std::min(best[k], step.cost - perMetre * progress + onward);
+      best[k] = std::min(best[k], step.cost - perMetre * progress + onwardShare_ * onward);
     }
   }
 
@@ -111,10 +126,15 @@ class SteeringIteration {
   std::vector<Step> steps_;
   std::vector<std::uint32_t> firstStep_;
   std::array<float, kSectors> sines_{}, cosines_{};
+  float onwardShare_ = 1.0F;
 };
 
-SteeringTable::SteeringTable(const SearchGraph& graph, const WalkCost& cost, double framesPerSecond) {
-  SteeringIteration(graph, cost, framesPerSecond, *this).run();
+SteeringTable::SteeringTable(const SearchGraph& graph, const WalkCost& cost, double framesPerSecond,
+                             const MoreCost& more) {
+  const auto costOf = [&](const SearchEdge& way) {
+    return cost.ofGoing(way, framesPerSecond) + cost.ofTransitions(way) + (more ? more(way) : 0.0);
+  };
+  SteeringIteration(graph, costOf, *this).run();
 }
 
 double SteeringTable::extraMetres(std::uint32_t node, const Heading& direction) const {

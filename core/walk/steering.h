@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "walk/search_graph.h"
@@ -9,17 +10,22 @@
 namespace stridegraph {
 
 /// What it takes, beside the bare way, to get a body going: for every decision node and every direction the
-/// cost by which the cheapest walk that goes on for ever in that direction exceeds the cheapest endless
-/// straight walk of the library. It knows how dear a turn is for this node, and that transitions and time
-/// cost something on every metre, so that a search does not have to find this out anew in every room.
+/// cost by which the cheapest walk that goes on in that direction exceeds the cheapest endless straight walk
+/// of the library. It knows how dear a turn is for this node, and that transitions and time cost something on
+/// every metre, so that a search does not have to find this out anew in every room.
 ///
 /// The relative value function of an average-cost decision process (Puterman 1994, section 8.2; semi-Markov,
-/// since ways differ in length), by damped value iteration. Immutable; the same on every machine.
+/// since ways differ in length), by value iteration, Gauss-Seidel: first the cost per metre, then values that
+/// look some ways ahead. Immutable; the same on every machine.
 class SteeringTable {
  public:
   static constexpr std::uint32_t kSectors = 32;
 
-  SteeringTable(const SearchGraph& graph, const WalkCost& cost, double framesPerSecond);
+  /// What a way costs beyond what WalkCost says, metres, 0 or more.
+  using MoreCost = std::function<double(const SearchEdge&)>;
+
+  SteeringTable(const SearchGraph& graph, const WalkCost& cost, double framesPerSecond,
+                const MoreCost& more = {});
 
   /// Cost of the cheapest endless straight walk for each metre of progress, > 0: metres per metre.
   double costPerMetre() const { return costPerMetre_; }

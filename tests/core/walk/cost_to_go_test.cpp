@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "walk/search_tables.h"
 #include "walk/test_library.h"
 
 namespace stridegraph {
@@ -28,7 +29,7 @@ class CostToGoTest : public ::testing::Test {
 
   double at(const FloorPlan& plan, const Vec2& place, double degrees) const {
     const DistanceField field(plan, goal);
-    CostToGo costToGo(tables, field, {20.0, 10.0});
+    CostToGo costToGo(tables.steering, field, {20.0, 10.0});
     return costToGo.metres(0, {place, Heading::fromAngle(Angle::degrees(degrees))});
   }
 };
@@ -67,8 +68,8 @@ TEST_F(CostToGoTest, isInfiniteWhereTheGoalCannotBeReached) {
 TEST_F(CostToGoTest, doesNotDependOnTheOrderOfQuestions) {
   const FloorPlan plan = room(true);
   const DistanceField field(plan, goal);
-  CostToGo forwards(tables, field, {20.0, 10.0});
-  CostToGo backwards(tables, field, {20.0, 10.0});
+  CostToGo forwards(tables.steering, field, {20.0, 10.0});
+  CostToGo backwards(tables.steering, field, {20.0, 10.0});
   std::vector<FloorTransform> places;
   for (int i = 0; i < 60; ++i) {
     places.push_back({{1.0 + 0.3 * i, 1.0 + 0.13 * i}, Heading::fromAngle(Angle::degrees(11.0 * i))});
