@@ -264,6 +264,7 @@ void GuidedRun::open(State state, double toGo) {
 }
 
 void GuidedRun::raiseWeight() {
+  if (stage_.weightGrowth == 1.0) return;
   weight_ *= stage_.weightGrowth;
   open_.revalue([this](std::uint32_t id) { return valueOf(states_[id]); });
 }
