@@ -136,11 +136,11 @@ std::optional<CostToGo::Prospect> CostToGo::prospectAt(const Vec2& point) {
 
 double CostToGo::metres(std::uint32_t node, const FloorTransform& placement) {
   const double estimated = estimate(node, placement);
-  return trust_ > 0.0 ? estimated + trust_ * learnedMetres(field_.metresToGoal(placement.translation))
-                      : estimated;
+  if (trust_ == 0.0 || marks_.empty()) return estimated;
+  return estimated + trust_ * learnedMetres(field_.metresToGoal(placement.translation));
 }
 
-/// Linear between marks.
+/// Linear between marks, of which there are some.
 double CostToGo::learnedMetres(double metresToGoal) const {
   const auto above =
       std::lower_bound(marks_.begin(), marks_.end(), metresToGoal,
@@ -150,11 +150,6 @@ double CostToGo::learnedMetres(double metresToGoal) const {
   const Mark& below = *(above - 1);
   const double share = (metresToGoal - below.metresToGoal) / (above->metresToGoal - below.metresToGoal);
   return below.extraMetres + share * (above->extraMetres - below.extraMetres);
-}
-
-void CostToGo::learn(std::vector<Mark> marks, double trust) {
-  marks_ = std::move(marks);
-  trust_ = marks_.empty() ? 0.0 : trust;
 }
 
 double CostToGo::estimate(std::uint32_t node, const FloorTransform& placement) {

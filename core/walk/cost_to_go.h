@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "path/distance_field.h"
@@ -28,9 +29,11 @@ class CostToGo {
     double metresToGoal = 0.0;  ///< Of the field.
     double extraMetres = 0.0;   ///< What was left to pay there, less the estimate.
   };
-  /// Believes a walk that was found, by rising distance from the goal and to a share of `trust`, 0..1,
-  /// wherever the goal is as far: estimates then are as good as that walk on its own way.
-  void learn(std::vector<Mark> marks, double trust);
+  /// Remembers a walk that was found, by rising distance from the goal.
+  void learn(std::vector<Mark> marks) { marks_ = std::move(marks); }
+  /// Believes that walk to a share of 0..1, wherever the goal is as far as there; 0 at first. With 1
+  /// estimates are as good as the walk on its own way.
+  void trust(double share) { trust_ = share; }
 
  private:
   /// What is known of a place: how far the goal is, which way leads there, and how far that way turns.

@@ -49,7 +49,7 @@ GuidedRun::GuidedRun(const MotionQuery& query, const GuidedSearchParams& params,
                      CostToGo& costToGo, const DistanceField& field, const WalkEnd& end)
     : query_(query), params_(params), stage_(stage), costToGo_(costToGo), field_(field), end_(end) {
   const double framesPerSecond = query.library.frames.framesPerSecond;
-  if (query.constraints != nullptr && query.constraints->any()) {
+  if (query.constraints->any()) {
     wishes_.emplace(*query.constraints, framesPerSecond);
     if (const std::optional<double>& latest = query.constraints->latestArrivalSeconds)
       lastFrame_ = static_cast<std::uint32_t>(*latest * framesPerSecond);

@@ -29,7 +29,8 @@ struct StartHeading {
   double costMetres = 0.0;
 };
 
-/// One run of weighted A* with the settings of a stage. Used once.
+/// One run of weighted A* with the settings of a stage, for a query that has constraints, be they empty. Used
+/// once.
 class GuidedRun {
  public:
   GuidedRun(const MotionQuery& query, const GuidedSearchParams& params, const GuidedStage& stage,

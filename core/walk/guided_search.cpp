@@ -184,7 +184,7 @@ class Cascade {
     std::uint64_t left = query_.improvementExpansions;
     for (double belief = kFirstBelief; left > 0 && belief > kLeastBelief && !outOfTime();) {
       stage.heuristicWeight = 1.0 + std::min(belief, 0.0);
-      costToGo_.learn(marks_, std::max(belief, 0.0));
+      costToGo_.trust(std::max(belief, 0.0));
       MotionResult found = runStage(stage, end, left, best.costMetres - kWorthMetres);
       left -= std::min(left, found.expansions);
       if (found.status == SearchStatus::kArrived) {
@@ -200,7 +200,7 @@ class Cascade {
     MotionResult result = run.search(startHeadings(query_, params_), limit, costBound);
     expansions_ += result.expansions;
     trouble_.add(run.trouble());
-    if (result.status == SearchStatus::kArrived) marks_ = run.marks();
+    if (result.status == SearchStatus::kArrived) costToGo_.learn(run.marks());
     return result;
   }
 
@@ -215,7 +215,6 @@ class Cascade {
   std::optional<DistanceField> ownField_;
   const DistanceField& field_;
   CostToGo costToGo_;
-  std::vector<CostToGo::Mark> marks_;  ///< Of the walk found last.
   std::uint64_t expansions_ = 0;
   SearchTrouble trouble_;
 };

@@ -23,12 +23,12 @@ struct GuidedSearchParams {
 
 /// Weighted A* over (node, place, heading) with every frame checked against the room, a cost-to-go that knows
 /// the room's geometry and the library's turns (CostToGo), and a memory of states reached before. It begins
-/// with little greed, which grows with the number of states looked at; other stages follow: greedier ones
-/// with more when the budget ran out, finer cells when the open list ran empty. A walk
-/// that comes to a stand, and faces as the goal asks, is sought first; where there is none, the standing and
-/// then the heading are given up. Says no motion only when a stage with fine cells has run through every
-/// state it can reach. With expansions left for improvement it searches again, each time for a walk that
-/// costs less than the best so far, with estimates that have learned from that walk what the room costs
+/// with little greed, which grows with the number of states looked at; finer cells follow when the open list
+/// ran empty, and one greedy attempt when the budget ran out. A walk that comes to a stand, and faces as the
+/// goal asks, is sought first; where there is none, the standing and then the heading are given up. Says no
+/// motion only when a stage with fine cells has run through every state it can reach. With expansions left
+/// for improvement it searches again, each time for a walk that costs less than the best so far, with
+/// estimates that have learned from that walk what the room costs
 /// (Adaptive A*, Koenig and Likhachev 2005; here by distance from the goal and to a share, since neither
 /// estimate is a bound) and believe it less when nothing better is found.
 MotionResult guidedSearch(const MotionQuery& query, const GuidedSearchParams& params = {});

@@ -104,8 +104,8 @@ class SearchGraphBuilder {
 
   /// The ways from a node along a link: as captured, and bent to either side where they lead on.
   void addWays(const Link& link) {
-    graph_.edges_.push_back(follow(link, 0));
-    const SearchEdge& captured = graph_.edges_.back();
+    const SearchEdge captured = follow(link, 0);
+    graph_.edges_.push_back(captured);
     const Angle bend = SearchGraph::kBendPerMetre;
     if (captured.to == kNone || bend * captured.lengthMetres < kLeastBend) return;
     graph_.edges_.push_back(follow(link, 0, bend));

@@ -69,12 +69,10 @@ class SteeringIteration {
     }
     onwardShare_ = kOnwardShare;
     for (int i = 0; i < kSweepsOnward; ++i) {
-      const float least = leastValue();
-      for (float& value : table_.values_) value -= least;
+      subtractLeast();
       sweep();
     }
-    const float least = leastValue();
-    for (float& value : table_.values_) value -= least;
+    subtractLeast();
   }
 
  private:
@@ -93,6 +91,11 @@ class SteeringIteration {
   }
 
   float leastValue() const { return *std::min_element(table_.values_.begin(), table_.values_.end()); }
+
+  void subtractLeast() {
+    const float least = leastValue();
+    for (float& value : table_.values_) value -= least;
+  }
 
   /// One sweep over all nodes; returns by how much the smallest value fell or rose. Clips run from node to
   /// node, so from the last node to the first what is known of a clip's end comes to its beginning at once.
