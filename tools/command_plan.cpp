@@ -155,6 +155,8 @@ void addPlanCommand(CLI::App& program, int& exitCode) {
       ->add_option("--improve", arguments->options.improvementExpansions,
                    "States to look at beyond the first walk's, to find a better one: 20000 take 20 to 50 ms")
       ->capture_default_str();
+  command->add_option("--until", arguments->options.enoughRatio,
+                      "Improve no further once the walk is at most so many times as long as a disc's way");
   command->add_flag("--raw-feet", arguments->rawFeet,
                     "Leave feet as blended, to compare: no pins, no lifting");
   command->add_option("--report", arguments->reportPath, "Write the report (JSON)");

@@ -75,6 +75,7 @@ Result<PlanOptions> readPlanOptions(const val& options) {
   read.footCleanup = reader.flag("footCleanup").value_or(read.footCleanup);
   read.subgoalSpacingMetres = reader.number("subgoalSpacing").value_or(read.subgoalSpacingMetres);
   read.improvementExpansions = static_cast<std::uint64_t>(reader.wholeNumber("improve").value_or(0.0));
+  read.enoughRatio = reader.number("until");
   read.budgetMilliseconds = reader.number("budgetMs").value_or(read.budgetMilliseconds);
   const std::string planners =
       fmt::format("{} or {}", plannerName(PlannerKind::kPrm), plannerName(PlannerKind::kRrtConnect));

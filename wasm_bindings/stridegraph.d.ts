@@ -90,6 +90,8 @@ export interface PlanOptions {
   /** How many states the guided search looks at beyond those of the first walk to find better ones; 0 when missing.
    * 20,000 take some 20 to 50 ms. The same number gives the same walk everywhere. */
   improve?: number
+  /** A walk at most so many times as long as a disc's way to the goal is not improved any further, 1..10. */
+  until?: number
   /** Milliseconds for the motion search; 0 or missing means no limit. A walk that was found by then is improved
    * no further. */
   budgetMs?: number

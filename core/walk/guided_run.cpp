@@ -32,6 +32,10 @@ constexpr double kFirstRaise = 200.0;
 constexpr double kRaisePerMetre = 8.0;
 constexpr double kRaiseInterval = 1.4;
 
+/// A state is given up when its cost and this share of what it is estimated to have before it come to more
+/// than the walk may cost: estimates are no bounds, and up to so much too high.
+constexpr double kBelievedShare = 0.9;
+
 /// Appends a way, cut off behind one of its samples.
 void appendWay(const SearchGraph& graph, const SearchEdge& way, std::uint32_t lastSample,
                std::vector<WalkStep>& steps) {
@@ -79,7 +83,7 @@ MotionResult GuidedRun::search(std::span<const StartHeading> starts, std::uint64
     const std::uint32_t id = open_.pop();
     const State state = states_[id];
     if (!state.isEnd() && closed_.contains(key(state))) continue;
-    if (!isOpen(id)) continue;
+    if (isLeftBehind(state) || !isOpen(id)) continue;
     if (state.isEnd()) {
       const bool accepted = isAccepted(id);
       if (accepted || (!end_.bent && ends == 0)) take(id, result);
@@ -99,6 +103,15 @@ MotionResult GuidedRun::search(std::span<const StartHeading> starts, std::uint64
     expand(id);
   }
   return result;
+}
+
+/// Whether a state is so far behind the front that it is passed over.
+bool GuidedRun::isLeftBehind(const State& state) {
+  if (!std::isfinite(stage_.windowMetres) || state.isEnd()) return false;
+  const double behind = field_.metresToGoal(state.placement.translation) - trouble_.metresLeft;
+  if (behind <= stage_.windowMetres) return false;
+  leftBehind_ = true;
+  return true;
 }
 
 /// Whether the end of a walk will do: judged by its last metres.
@@ -257,9 +270,8 @@ void GuidedRun::openArrival(std::uint32_t parent, const State& state) {
 
 void GuidedRun::open(State state, double toGo) {
   state.toGo = toGo;
-  const double value = valueOf(state);
-  if (value >= costBound_) return;
-  open_.push(value, static_cast<std::uint32_t>(states_.size()));
+  if (state.cost + kBelievedShare * toGo >= costBound_) return;
+  open_.push(valueOf(state), static_cast<std::uint32_t>(states_.size()));
   states_.push_back(state);
 }
 

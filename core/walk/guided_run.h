@@ -42,6 +42,9 @@ class GuidedRun {
   /// What stood in the way, as far as was seen.
   const SearchTrouble& trouble() const { return trouble_; }
 
+  /// Whether states were passed over because they were too far behind the front.
+  bool leftBehind() const { return leftBehind_; }
+
   /// Where the estimate of the walk found was wrong; empty before one is found.
   const std::vector<CostToGo::Mark>& marks() const { return marks_; }
 
@@ -73,6 +76,7 @@ class GuidedRun {
   double valueOf(const State& state) const { return state.cost + weight_ * state.toGo; }
   void raiseWeight();
 
+  bool isLeftBehind(const State& state);
   bool isOpen(std::uint32_t id);
   bool isFree(const FloorTransform& from, std::uint32_t frame, const SearchEdge& edge, std::uint32_t samples);
   bool isFree(FloorTransform from, std::uint32_t frame, std::uint32_t arrival);
@@ -103,7 +107,8 @@ class GuidedRun {
   double weight_ = 1.0;
   double costBound_ = 0.0;
   std::uint32_t lastFrame_ = kNone;  ///< The walk has to be over by then.
-  bool timed_ = false;               ///< States at different times differ.
+  bool leftBehind_ = false;
+  bool timed_ = false;  ///< States at different times differ.
   SearchTrouble trouble_;
   std::vector<CostToGo::Mark> marks_;
 };

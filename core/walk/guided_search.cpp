@@ -9,6 +9,7 @@
 
 #include "path/polyline.h"
 #include "walk/guided_run.h"
+#include "walk/synthesis.h"
 
 namespace stridegraph {
 namespace {
@@ -50,11 +51,11 @@ constexpr GuidedStage kFiner = {1.2, 1.04, 1.0, 0.1, 48, 150'000, 250.0};
 /// When the budget ran out.
 constexpr GuidedStage kGreedy = {3.0, 1.0, 0.0, 0.1, 48, 300'000, 0.0};
 
-/// How far estimates are believed in the search for a better walk, at first and by how much less when that
-/// finds none: above 0 with a share of what was learned from the best walk, below 0 not even themselves.
-constexpr double kFirstBelief = 0.95;
-constexpr double kBeliefFall = 0.05;
-constexpr double kLeastBelief = -0.5;
+/// How far behind the front the search for a better walk looks, at first and by how much further each time,
+constexpr double kFirstWindowMetres = 1.5;
+constexpr double kWindowGrowth = 1.5;
+/// and to what share it believes what was learned from the best walk.
+constexpr double kTrust = 0.5;
 
 /// A search that came no nearer to the goal than this, metres of way, was not kept from it by how to end
 /// there.
@@ -172,31 +173,39 @@ class Cascade {
   MotionResult tryStage(const GuidedStage& stage, const WalkEnd& end) {
     stage_ = stage;
     const double metres = field_.metresToGoal(query_.start.position);
-    return runStage(stage, end,
-                    stage.maxExpansions + static_cast<std::uint64_t>(stage.expansionsPerMetre * metres),
-                    kNoBound);
+    GuidedRun run(query_, params_, stage, costToGo_, field_, end);
+    return runOnce(run, stage.maxExpansions + static_cast<std::uint64_t>(stage.expansionsPerMetre * metres),
+                   kNoBound);
   }
 
-  /// Looks for better walks than the first until the budget is spent.
+  /// Looks for better walks than the first until the budget is spent, or nothing is left to look at.
   void improve(MotionResult& best, const WalkEnd& end) {
     GuidedStage stage = stage_;
+    stage.heuristicWeight = 1.0;
     stage.weightGrowth = 1.0;
+    costToGo_.trust(kTrust);
     std::uint64_t left = query_.improvementExpansions;
-    for (double belief = kFirstBelief; left > 0 && belief > kLeastBelief && !outOfTime();) {
-      stage.heuristicWeight = 1.0 + std::min(belief, 0.0);
-      costToGo_.trust(std::max(belief, 0.0));
-      MotionResult found = runStage(stage, end, left, best.costMetres - kWorthMetres);
+    bool more = true;
+    for (stage.windowMetres = kFirstWindowMetres; more && left > 0 && !outOfTime() && !isEnough(best);
+         stage.windowMetres *= kWindowGrowth) {
+      GuidedRun run(query_, params_, stage, costToGo_, field_, end);
+      MotionResult found = runOnce(run, left, best.costMetres - kWorthMetres);
       left -= std::min(left, found.expansions);
-      if (found.status == SearchStatus::kArrived) {
-        best = std::move(found);
-      } else {
-        belief -= kBeliefFall;
-      }
+      more = found.status == SearchStatus::kArrived || run.leftBehind();
+      if (found.status == SearchStatus::kArrived) best = std::move(found);
     }
   }
 
-  MotionResult runStage(const GuidedStage& stage, const WalkEnd& end, std::uint64_t limit, double costBound) {
-    GuidedRun run(query_, params_, stage, costToGo_, field_, end);
+  bool isEnough(const MotionResult& walk) const {
+    if (!query_.enoughRatio) return false;
+    const std::vector<FloorTransform> way = placementsAlong(query_.library, walk.path);
+    double metres = 0.0;
+    for (std::size_t f = 1; f < way.size(); ++f)
+      metres += (way[f].translation - way[f - 1].translation).norm();
+    return metres <= *query_.enoughRatio * field_.metresToGoal(query_.start.position);
+  }
+
+  MotionResult runOnce(GuidedRun& run, std::uint64_t limit, double costBound) {
     MotionResult result = run.search(startHeadings(query_, params_), limit, costBound);
     expansions_ += result.expansions;
     trouble_.add(run.trouble());

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+
 #include "walk/motion_search.h"
 #include "walk/walk_cost.h"
 
@@ -14,6 +16,8 @@ struct GuidedStage {
   std::uint32_t headingCells = 24;  ///< ... when they also face the same of so many sectors.
   std::uint64_t maxExpansions = 40'000;
   double expansionsPerMetre = 250.0;  ///< Added to maxExpansions for each metre from start to goal.
+  /// States this much further from the goal than the nearest one looked at are passed over, metres of way.
+  double windowMetres = std::numeric_limits<double>::infinity();
 };
 
 struct GuidedSearchParams {
@@ -26,11 +30,13 @@ struct GuidedSearchParams {
 /// with little greed, which grows with the number of states looked at; finer cells follow when the open list
 /// ran empty, and one greedy attempt when the budget ran out. A walk that comes to a stand, and faces as the
 /// goal asks, is sought first; where there is none, the standing and then the heading are given up. Says no
-/// motion only when a stage with fine cells has run through every state it can reach. With expansions left
-/// for improvement it searches again, each time for a walk that costs less than the best so far, with
-/// estimates that have learned from that walk what the room costs
-/// (Adaptive A*, Koenig and Likhachev 2005; here by distance from the goal and to a share, since neither
-/// estimate is a bound) and believe it less when nothing better is found.
+/// motion only when a stage with fine cells has run through every state it can reach.
+///
+/// With expansions left for improvement it searches again, each time for a walk that costs less than the best
+/// so far: without greed, but only so far behind the front, and further behind it each time (Anytime Window
+/// A*, Aine, Chakrabarti and Kumar 2007; here the front is the state nearest to the goal instead of the
+/// deepest). Estimates have learned from the best walk what the room costs (Adaptive A*, Koenig and Likhachev
+/// 2005; here by distance from the goal and to a share, since neither estimate is a bound).
 MotionResult guidedSearch(const MotionQuery& query, const GuidedSearchParams& params = {});
 
 }  // namespace stridegraph

@@ -53,6 +53,8 @@ struct MotionQuery {
   std::function<bool(const MotionPath&, std::uint32_t)> accepts{};
   /// States looked at beyond those of the first walk to find cheaper ones; 0 takes the first.
   std::uint64_t improvementExpansions = 0;
+  /// A walk that is at most so many times as long as the field says the disc's way is is good enough.
+  std::optional<double> enoughRatio{};
   std::function<bool()> outOfTime{};  ///< Asked now and then; true ends the search. May be empty.
   /// How far it is to the goal from anywhere, finite at the start; null where a search has to find out
   /// itself.

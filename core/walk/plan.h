@@ -40,6 +40,9 @@ struct PlanOptions {
   /// States looked at beyond those of the first walk, to find better ones (guidedSearch); the same number
   /// gives the same walk everywhere.
   std::uint64_t improvementExpansions = 0;
+  /// Looks for no better walk than one at most so many times as long as the way that a disc would have to
+  /// take to the goal (DistanceField); 1..10. None when not set.
+  std::optional<double> enoughRatio;
   MillisecondClock clock;  ///< For timings and the budget.
 };
 

@@ -137,6 +137,7 @@ class Planning {
       return bent(placementsAlong(library_, end), first).has_value();
     };
     query.improvementExpansions = options_.improvementExpansions;
+    query.enoughRatio = options_.enoughRatio;
     query.outOfTime = [&] {
       return options_.budgetMilliseconds > 0.0 && watch.elapsed() > options_.budgetMilliseconds;
     };

@@ -14,8 +14,14 @@ namespace {
 
 constexpr std::uint32_t kNone = SearchEdge::kNone;
 
-/// Only every second frame is offered as a first one: neighbours start walks that hardly differ.
-constexpr std::uint32_t kStartStride = 2;
+/// A walk begins with one of so many frames: of those in motion there are more than enough,
+constexpr std::uint32_t kMovingStartStride = 8;
+/// of those that stand few. Who still stands there that many frames later begins then.
+constexpr std::uint32_t kStandingStartStride = 2;
+
+/// Who moves by less stands still.
+constexpr double kStillMetres = 0.01;
+constexpr Angle kStillTurn = Angle::degrees(1.0);
 
 /// A way that bending would turn by less than this is there only as captured.
 constexpr Angle kLeastBend = Angle::degrees(0.5);
@@ -44,7 +50,9 @@ class SearchGraphBuilder {
     findDecisions();
     for (const std::uint32_t node : decisions_) {
       graph_.firstEdge_.push_back(static_cast<std::uint32_t>(graph_.edges_.size()));
-      for (const std::uint32_t link : linksFrom_[node]) addWays(links_[link]);
+      for (const std::uint32_t link : linksFrom_[node]) {
+        for (const SearchEdge& way : waysAlong(links_[link], 0)) graph_.edges_.push_back(way);
+      }
     }
     graph_.firstEdge_.push_back(static_cast<std::uint32_t>(graph_.edges_.size()));
     for (const SearchEdge& edge : graph_.edges_) {
@@ -102,14 +110,19 @@ class SearchGraphBuilder {
       graph_.decisionAt_[library_.graph.nodes[n].value] = decisionOf_[n];
   }
 
-  /// The ways from a node along a link: as captured, and bent to either side where they lead on.
-  void addWays(const Link& link) {
-    const SearchEdge captured = follow(link, 0);
-    graph_.edges_.push_back(captured);
-    const Angle bend = SearchGraph::kBendPerMetre;
-    if (captured.to == kNone || bend * captured.lengthMetres < kLeastBend) return;
-    graph_.edges_.push_back(follow(link, 0, bend));
-    graph_.edges_.push_back(follow(link, 0, -bend));
+  /// The ways along a link from a position on it: as captured, and bent to either side where they lead on.
+  std::vector<SearchEdge> waysAlong(const Link& link, std::uint32_t begin) {
+    const SearchEdge captured = follow(link, begin);
+    const Angle bend = bendOf(captured);
+    if (captured.to == kNone || bend * captured.lengthMetres < kLeastBend) return {captured};
+    return {captured, follow(link, begin, bend), follow(link, begin, -bend)};
+  }
+
+  Angle bendOf(const SearchEdge& way) const {
+    const double metresPerSecond =
+        way.lengthMetres * library_.frames.framesPerSecond / static_cast<double>(way.sampleCount);
+    return std::min(SearchGraph::kBendPerMetre,
+                    Angle::radians(SearchGraph::kBendAcceleration / (metresPerSecond * metresPerSecond)));
   }
 
   /// Follows a link from a position on it, and what comes after, to the next decision; bent all along.
@@ -156,13 +169,28 @@ class SearchGraphBuilder {
   }
 
   void addStartsOn(const Link& link) {
-    for (std::uint32_t p = 0; p < link.piece.frames; p += kStartStride) {
-      const std::uint32_t later = std::min(p + kStandsOn, link.piece.frames);
-      const bool stands = standing_[link.piece.from.value + p] != Standing::kNo &&
-                          standing_[link.piece.from.value + later] != Standing::kNo;
-      graph_.starts_.push_back({follow(link, p), stands});
+    for (std::uint32_t p = 0; p < link.piece.frames; ++p) {
+      const bool stands = standsAt(link, p);
+      const bool offered = stands ? p % kStandingStartStride == 0 && !standsStill(link, p)
+                                  : movingFrames_++ % kMovingStartStride == 0;
+      if (!offered) continue;
+      for (const SearchEdge& way : waysAlong(link, p)) graph_.starts_.push_back({way, stands});
       graph_.canStartStanding_ = graph_.canStartStanding_ || stands;
     }
+  }
+
+  bool standsAt(const Link& link, std::uint32_t p) const {
+    const std::uint32_t later = std::min(p + kStandsOn, link.piece.frames);
+    return standing_[link.piece.from.value + p] != Standing::kNo &&
+           standing_[link.piece.from.value + later] != Standing::kNo;
+  }
+
+  /// Whether a walk that begins here had better begin with the next frame that is offered.
+  bool standsStill(const Link& link, std::uint32_t p) const {
+    const std::uint32_t next = p + kStandingStartStride;
+    if (next >= link.piece.frames || !standsAt(link, next)) return false;
+    const FloorTransform moved = link.track[p].inverse() * link.track[next];
+    return moved.translation.norm() < kStillMetres && moved.heading.cos > Heading::fromAngle(kStillTurn).cos;
   }
 
   void addStarts() {
@@ -189,6 +217,7 @@ class SearchGraphBuilder {
   std::vector<std::vector<std::uint32_t>> linksFrom_;  ///< For each node of the library's graph.
   std::vector<std::uint32_t> decisionOf_;              ///< Library node -> decision node.
   std::vector<std::uint32_t> decisions_;               ///< Decision node -> library node.
+  std::uint32_t movingFrames_ = 0;                     ///< Seen so far that a walk could begin with.
 };
 
 SearchGraph::SearchGraph(const MotionLibrary& library) {

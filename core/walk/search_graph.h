@@ -36,15 +36,19 @@ struct SearchStart {
 };
 
 /// A library prepared for searching: nodes with only one way on are passed over, and every way knows its
-/// track. Each way is there as captured and bent a little to either side, so that a walk can keep to a
-/// direction or a curve that no clip shows. A walk may also begin with frames before the first node of their
-/// clip and end with frames behind the last one, where the body comes to a stand. Built once for a library;
-/// immutable.
+/// track. Each way, and each way to begin, is there as captured and bent to either side, so that a walk can
+/// keep to a direction or a curve that no clip shows. A walk may also begin with frames before the first node
+/// of their clip and end with frames behind the last one, where the body comes to a stand. Built once for a
+/// library; immutable.
 class SearchGraph {
  public:
-  /// By how much ways are bent. A planted foot turns by about half of it during a step; measured on walks
-  /// over all test maps, feet slide less than in the captured clips, and joints are driven no harder.
-  static constexpr Angle kBendPerMetre = Angle::degrees(15.0);
+  /// By how much ways are bent: a curve of 1.9 m, as people walk it. A planted foot turns by about half of it
+  /// during a step; over all test maps feet slide no more than in the clips, and joints are driven less hard
+  /// than where the clips' own sharp turns have to do (measured up to 45 degrees).
+  static constexpr Angle kBendPerMetre = Angle::degrees(30.0);
+  /// Faster gaits are bent less: who goes round a curve leans, which bending does not show. Metres per
+  /// second squared, towards the curve's middle.
+  static constexpr double kBendAcceleration = 1.5;
 
   explicit SearchGraph(const MotionLibrary& library);
 
@@ -58,7 +62,8 @@ class SearchGraph {
   std::uint32_t decisionAt(FrameIndex frame) const { return decisionAt_[frame.value]; }
   /// Ways on from a decision node.
   std::span<const SearchEdge> edgesFrom(std::size_t node) const;
-  /// Ways to begin: from a captured frame (every second one) to the next decision node.
+  /// Ways to begin: from a captured frame to the next decision node. Not from each: neighbours begin walks
+  /// that hardly differ.
   std::span<const SearchStart> starts() const { return starts_; }
   /// Floor points of the root for each frame shown, relative to the placement at the edge's beginning.
   std::span<const Eigen::Vector2f> samplesOf(const SearchEdge& edge) const;

@@ -8,10 +8,10 @@ namespace stridegraph {
 struct WalkCost {
   double perSecond = 0.05;        ///< Standing about is not free.
   double perRadian = 0.05;        ///< Of bending a way: as captured is best.
-  double perTransition = 0.15;    ///< Else three quarters of all frames would be blends.
+  double perTransition = 0.25;    ///< Else three quarters of all frames would be blends.
   double perTransitionMetre = 5;  ///< Times the transition's distance: good blends are preferred.
   double seedVariation = 0.02;    ///< A way costs up to this share more, by seed: other seeds, other walks.
-  double movingStart = 2.0;       ///< For a walk that begins in motion where it could from a stand.
+  double movingStart = 1.5;       ///< For a walk that begins in motion where it could from a stand.
 
   /// Of going a way, before seeds vary it.
   double ofGoing(const SearchEdge& edge, double framesPerSecond) const {

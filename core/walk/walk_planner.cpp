@@ -23,6 +23,9 @@ Result<void> checkOptions(const PlanOptions& options) {
   if (options.radiusMetres) {
     if (auto checked = checkRange("radius", *options.radiusMetres, 0.05, 5.0); !checked) return checked;
   }
+  if (options.enoughRatio) {
+    if (auto checked = checkRange("until", *options.enoughRatio, 1.0, 10.0); !checked) return checked;
+  }
   if (auto checked = checkRange("goal radius", options.goalRadiusMetres, 0.01, 5.0); !checked) return checked;
   if (auto checked = checkRange("subgoal spacing", options.subgoalSpacingMetres, 0.2, 20.0); !checked)
     return checked;

@@ -237,6 +237,8 @@ describe('improve', () => {
     const better = library.plan(scene, { improve: 20000 })
     assert.ok(better.report.expansions > first.report.expansions)
     assert.deepEqual(better.report.edges, library.plan(scene, { improve: 20000 }).report.edges)
+    assert.deepEqual(library.plan(scene, { improve: 20000, until: 10 }).report.edges, first.report.edges)
+    assert.throws(() => library.plan(scene, { until: 0.5 }), /until: found 0.5, expected 1 to 10/)
   })
 })
 
