@@ -49,7 +49,7 @@ constexpr GuidedStage kAmongMovers = {1.15, 1.15, 1.0, 0.3, 16, 40'000, 250.0};
 /// When a stage has run through all states.
 constexpr GuidedStage kFiner = {1.2, 1.04, 1.0, 0.1, 48, 150'000, 250.0};
 /// When the budget ran out.
-constexpr GuidedStage kGreedy = {3.0, 1.0, 0.0, 0.1, 48, 300'000, 0.0};
+constexpr GuidedStage kGreedy = {3.0, 1.0, 0.0, 0.2, 24, 60'000, 0.0};
 
 /// How far behind the front the search for a better walk looks, at first and by how much further each time,
 constexpr double kFirstWindowMetres = 1.5;
