@@ -28,8 +28,8 @@ constexpr double kJudgedMetres = 9.0;
 /// The weight grows for the first time after so many states, and so many more for each metre to the goal;
 /// then whenever their number has grown by this factor. It costs next to nothing, since what was reached
 /// stays: most walks are found before.
-constexpr double kFirstRaise = 200.0;
-constexpr double kRaisePerMetre = 8.0;
+constexpr double kFirstRaise = 300.0;
+constexpr double kRaisePerMetre = 10.0;
 constexpr double kRaiseInterval = 1.4;
 
 /// A state is given up when its cost and this share of what it is estimated to have before it come to more
@@ -72,13 +72,14 @@ MotionResult GuidedRun::search(std::span<const StartHeading> starts, std::uint64
   std::size_t ends = 0;
   if (query_.onward) {
     beginOnward(*query_.onward);
-    starts = {};
+    movingBegun_ = true;
   } else {
-    begin(starts.front());
-    starts = starts.subspan(1);
+    starts_ = starts;
+    begin(starts_[begunStarts_++], true);
   }
   for (;;) {
-    if (open_.empty()) beginOtherwise(starts);
+    if (!movingBegun_ && (open_.empty() || open_.least() >= leastMovingValue())) beginMoving();
+    if (open_.empty()) beginTurned();
     if (open_.empty()) break;
     const std::uint32_t id = open_.pop();
     const State state = states_[id];
@@ -97,7 +98,7 @@ MotionResult GuidedRun::search(std::span<const StartHeading> starts, std::uint64
     closed_.insert(key(state));
     if (static_cast<double>(++result.expansions) >= nextRaise) {
       nextRaise *= kRaiseInterval;
-      beginOtherwise(starts);
+      beginTurned();
       raiseWeight();
     }
     expand(id);
@@ -140,21 +141,43 @@ void GuidedRun::take(std::uint32_t id, MotionResult& result) {
   }
 }
 
-void GuidedRun::begin(const StartHeading& start) {
+/// Begins with a heading, from a stand or in motion.
+void GuidedRun::begin(const StartHeading& start, bool standing) {
   for (const SearchStart& first : query_.tables.graph.starts()) {
-    const bool charged = query_.standing && query_.tables.graph.canStartStanding() && !first.stands;
+    if (first.stands != standing) continue;
     State from;
     from.placement = {query_.start.position, start.heading};
-    from.cost = start.costMetres + (charged ? params_.cost.movingStart : 0.0);
+    from.cost = start.costMetres + (standing ? 0.0 : movingStartMetres());
     reach(kNone, from, first.edge);
     startOf_.resize(states_.size(), start.heading);
   }
 }
 
 /// Begins with all other headings, which only hard starts need.
-void GuidedRun::beginOtherwise(std::span<const StartHeading>& starts) {
-  for (const StartHeading& start : starts) begin(start);
-  starts = {};
+void GuidedRun::beginTurned() {
+  while (begunStarts_ < starts_.size()) {
+    const StartHeading& start = starts_[begunStarts_++];
+    begin(start, true);
+    if (movingBegun_) begin(start, false);
+  }
+}
+
+/// Begins in motion, too. There are many ways to, and where a body can begin from a stand few are worth it,
+/// so they wait until their turn comes.
+void GuidedRun::beginMoving() {
+  movingBegun_ = true;
+  for (const StartHeading& start : starts_.first(begunStarts_)) begin(start, false);
+}
+
+/// What beginning in motion counts for, metres.
+double GuidedRun::movingStartMetres() const {
+  return query_.standing && query_.tables.graph.canStartStanding() ? params_.cost.movingStart : 0.0;
+}
+
+/// About the least value of a state that a walk which begins in motion comes to first.
+double GuidedRun::leastMovingValue() const {
+  const double straight = query_.tables.steering.costPerMetre() * field_.metresToGoal(query_.start.position);
+  return movingStartMetres() + weight_ * straight;
 }
 
 void GuidedRun::beginOnward(const Onward& onward) {

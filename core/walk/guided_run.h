@@ -65,8 +65,11 @@ class GuidedRun {
     bool isEnd() const { return goalSample != kNone || arrival != kNone; }
   };
 
-  void begin(const StartHeading& start);
-  void beginOtherwise(std::span<const StartHeading>& starts);
+  void begin(const StartHeading& start, bool standing);
+  void beginTurned();
+  void beginMoving();
+  double movingStartMetres() const;
+  double leastMovingValue() const;
   void beginOnward(const Onward& onward);
   void expand(std::uint32_t id);
   void reach(std::uint32_t parent, const State& from, const SearchEdge& edge);
@@ -104,6 +107,9 @@ class GuidedRun {
   std::vector<Heading> startOf_;  ///< Of states without a parent, the heading that each begins with.
   SearchHeap open_;
   StateSet closed_;
+  std::span<const StartHeading> starts_;
+  std::size_t begunStarts_ = 0;  ///< Headings that walks begin with so far,
+  bool movingBegun_ = false;     ///< from a stand only or also in motion.
   double weight_ = 1.0;
   double costBound_ = 0.0;
   std::uint32_t lastFrame_ = kNone;  ///< The walk has to be over by then.

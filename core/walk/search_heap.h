@@ -18,6 +18,9 @@ class SearchHeap {
     std::push_heap(entries_.begin(), entries_.end(), after);
   }
 
+  /// The best entry's value; must not be empty.
+  double least() const { return entries_.front().value; }
+
   /// Removes the best entry and returns its id; must not be empty.
   std::uint32_t pop() {
     std::pop_heap(entries_.begin(), entries_.end(), after);

@@ -8,7 +8,7 @@ namespace stridegraph {
 struct WalkCost {
   double perSecond = 0.05;        ///< Standing about is not free.
   double perRadian = 0.05;        ///< Of bending a way: as captured is best.
-  double perTransition = 0.25;    ///< Else three quarters of all frames would be blends.
+  double perTransition = 0.28;    ///< Else three quarters of all frames would be blends.
   double perTransitionMetre = 5;  ///< Times the transition's distance: good blends are preferred.
   double seedVariation = 0.02;    ///< A way costs up to this share more, by seed: other seeds, other walks.
   double movingStart = 1.5;       ///< For a walk that begins in motion where it could from a stand.
