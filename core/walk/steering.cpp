@@ -73,6 +73,7 @@ class SteeringIteration {
       sweep();
     }
     subtractLeast();
+    layOutForReading();
   }
 
  private:
@@ -95,6 +96,29 @@ class SteeringIteration {
   void subtractLeast() {
     const float least = leastValue();
     for (float& value : table_.values_) value -= least;
+  }
+
+  /// From even sectors, which ways turn by, to even parts of quarterTurns(), which is cheaper to tell of a
+  /// direction.
+  void layOutForReading() {
+    std::array<float, kRow> even;
+    for (std::size_t node = 0; node < nodes_; ++node) {
+      float* const row = table_.values_.data() + node * kRow;
+      std::copy(row, row + kRow, even.begin());
+      for (std::uint32_t k = 0; k <= kSectors; ++k) {
+        const double sectors =
+            sectorsOf(atQuarterTurns(k % kSectors * SteeringTable::kQuarterTurnsPerSector));
+        const auto whole = std::min(static_cast<std::uint32_t>(sectors), kSectors - 1);
+        const auto share = static_cast<float>(sectors - whole);
+        row[k] = even[whole] + share * (even[whole + 1] - even[whole]);
+      }
+    }
+  }
+
+  /// The direction, not of unit length, of which quarterTurns() are told.
+  static Heading atQuarterTurns(double quarters) {
+    const double sine = quarters < 1.0 ? quarters : quarters < 3.0 ? 2.0 - quarters : quarters - 4.0;
+    return {sine, (quarters < 1.0 || quarters > 3.0 ? 1.0 : -1.0) * (1.0 - std::abs(sine))};
   }
 
   /// One sweep over all nodes; returns by how much the smallest value fell or rose. Clips run from node to
@@ -141,10 +165,10 @@ SteeringTable::SteeringTable(const SearchGraph& graph, const WalkCost& cost, dou
 }
 
 double SteeringTable::extraMetres(std::uint32_t node, const Heading& direction) const {
-  const double sectors = sectorsOf(direction);
-  const auto whole = std::min(static_cast<std::uint32_t>(sectors), kSectors - 1);
+  const double parts = quarterTurns(direction) / kQuarterTurnsPerSector;
+  const auto whole = std::min(static_cast<std::uint32_t>(parts), kSectors - 1);
   const float* const values = values_.data() + node * kRow + whole;
-  return double{values[0]} + (sectors - whole) * (double{values[1]} - double{values[0]});
+  return double{values[0]} + (parts - whole) * (double{values[1]} - double{values[0]});
 }
 
 }  // namespace stridegraph

@@ -31,7 +31,7 @@ class SteeringTable {
   double costPerMetre() const { return costPerMetre_; }
   /// Metres of cost that going from the node in a direction takes more than that; 0 for the best of all nodes
   /// and directions. The direction is relative to the heading of the placement at the node; only the ratio of
-  /// its (sin, cos) counts. Linear between sectors.
+  /// its (sin, cos) counts. Linear between kSectors directions.
   double extraMetres(std::uint32_t node, const Heading& direction) const;
 
  private:
@@ -39,7 +39,10 @@ class SteeringTable {
       2 * kSectors + 1;  ///< Every row once more, to be read across its end.
 
   friend class SteeringIteration;
-  std::vector<float> values_;  ///< nodes x kRow.
+  static constexpr double kQuarterTurnsPerSector = 4.0 / kSectors;
+
+  /// nodes x kRow; once found, by quarterTurns().
+  std::vector<float> values_;
   double costPerMetre_ = 1.0;
 };
 
