@@ -56,6 +56,21 @@ TEST_F(PlanningTest, plansWithEveryFrameOfADragWhilePlansAreQuick) {
   }
 }
 
+TEST_F(PlanningTest, looksLongerForABetterWalkWhereNothingIsDragged) {
+  state.scene.obstacles = {{{6, 5}, {0.4, 4}}};
+  state.drag = Drag{};
+  state.drag->preview = state.scene;
+  wantPlan(state);
+  ASSERT_TRUE(plansNow());
+  ASSERT_TRUE(state.hasWalk());
+  const PlanReport dragged = state.plan->report;
+  state.drag.reset();
+  wantPlan(state);
+  ASSERT_TRUE(plansNow());
+  EXPECT_GT(state.plan->report.expansions, dragged.expansions);
+  EXPECT_LE(state.plan->report.motionLengthMetres, dragged.motionLengthMetres + 0.1);
+}
+
 TEST_F(PlanningTest, leavesHalfOfTheTimeToTheViewWherePlansAreSlow) {
   wantPlan(state);
   ASSERT_TRUE(plansNow());

@@ -16,6 +16,8 @@ constexpr double kPauseSeconds = 0.12;
 constexpr double kLongestSearchMilliseconds = 2000.0;
 /// While something is dragged: the next move brings another plan anyway.
 constexpr double kLongestDragSearchMilliseconds = 150.0;
+/// When the scene rests there is a moment to look for better walks: states, for all walkers together.
+constexpr std::uint64_t kImprovementExpansions = 20'000;
 
 bool isDue(const AppState& state) {
   if (!state.replanning.wanted || !state.planner) return false;
@@ -68,6 +70,8 @@ PlanOptions optionsOf(const AppState& state, const MillisecondClock& clock) {
   options.search = state.settings.search;
   options.goalRadiusMetres = state.settings.goalRadiusMetres;
   options.budgetMilliseconds = state.drag ? kLongestDragSearchMilliseconds : kLongestSearchMilliseconds;
+  if (!state.drag)
+    options.improvementExpansions = kImprovementExpansions / (1 + state.shownScene().walkers.size());
   options.clock = clock;
   return options;
 }
