@@ -20,13 +20,14 @@ struct ArrivalTable::Building {
   std::vector<std::uint32_t> openNodes;
   SearchHeap heap;
   StateSet closed;
+  std::vector<std::uint32_t> ofNode;  ///< How many arrivals a node has.
 
   double costOf(const SearchEdge& edge) const {
     return cost.ofGoing(edge, framesPerSecond) + cost.ofTransitions(edge);
   }
 
   void push(std::uint32_t node, const Arrival& arrival) {
-    if (arrival.costMetres > params.reachMetres) return;
+    if (arrival.costMetres > params.reachMetres || ofNode[node] == params.mostOfNode) return;
     heap.push(arrival.costMetres, static_cast<std::uint32_t>(open.size()));
     open.push_back(arrival);
     openNodes.push_back(node);
@@ -43,6 +44,7 @@ struct ArrivalTable::Building {
 
   void begin() {
     into.resize(graph.nodeCount());
+    ofNode.assign(graph.nodeCount(), 0);
     for (std::uint32_t node = 0; node < graph.nodeCount(); ++node) {
       for (const SearchEdge& edge : graph.edgesFrom(node)) {
         // Ways as captured will do: a walk's end is bent to the goal anyway.
@@ -61,11 +63,12 @@ struct ArrivalTable::Building {
   std::vector<std::uint32_t> run(std::vector<Arrival>& arrivals) {
     std::vector<std::uint32_t> nodeOf;
     begin();
-    while (!heap.empty() && arrivals.size() < params.most) {
+    while (!heap.empty()) {
       const std::uint32_t id = heap.pop();
       const Arrival arrival = open[id];
       const std::uint32_t node = openNodes[id];
-      if (!closed.insert(key(node, arrival.end))) continue;
+      if (ofNode[node] == params.mostOfNode || !closed.insert(key(node, arrival.end))) continue;
+      ++ofNode[node];
       const auto next = static_cast<std::uint32_t>(arrivals.size());
       arrivals.push_back(arrival);
       nodeOf.push_back(node);
@@ -81,7 +84,7 @@ struct ArrivalTable::Building {
 ArrivalTable::ArrivalTable(const SearchGraph& graph, const WalkCost& cost, double framesPerSecond,
                            const Params& params)
     : reachMetres_(params.reachMetres), least_(graph.nodeCount(), params.reachMetres) {
-  Building building{graph, cost, framesPerSecond, params, {}, {}, {}, {}, {}};
+  Building building{graph, cost, framesPerSecond, params, {}, {}, {}, {}, {}, {}};
   const std::vector<std::uint32_t> nodeOf = building.run(arrivals_);
   for (std::size_t a = 0; a < arrivals_.size(); ++a) {
     double& least = least_[nodeOf[a]];

@@ -22,14 +22,16 @@ struct Arrival {
 /// Ways to come to a stand, for every decision node of a library, so that a search need not hit upon the goal
 /// by going on blindly: seen from a node near the goal, it looks up which way ends there (the analytic
 /// expansion of hybrid-state A*, Dolgov et al. 2008, with a table in place of a formula). Found backwards
-/// from all stands by Dijkstra's algorithm, one for each node, place and heading in cells. Borrows the graph.
+/// from all stands by Dijkstra's algorithm, one for each node, place and heading in cells. Every node has its
+/// share, lest nodes within stands, from which next to nothing leads to hundreds of others, leave none for
+/// those that are still walking. Borrows the graph.
 class ArrivalTable {
  public:
   struct Params {
     double reachMetres = 4.0;         ///< Longest way, by its cost.
     double cellMetres = 0.1;          ///< Ends in the same cell ...
     std::uint32_t headingCells = 36;  ///< ... facing the same of so many sectors count as one.
-    std::size_t most = 50'000;        ///< Arrivals kept, cheapest first; more save no work.
+    std::uint32_t mostOfNode = 40;    ///< Kept for each node, cheapest first; more save no work.
   };
 
   ArrivalTable(const SearchGraph& graph, const WalkCost& cost, double framesPerSecond, const Params& params);

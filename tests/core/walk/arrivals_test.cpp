@@ -59,5 +59,18 @@ TEST_F(Arrivals, costNoLessThanTheLeastOfTheirNode) {
   }
 }
 
+TEST_F(Arrivals, areTheCheapestOfEveryNodeWhereThereAreMore) {
+  ArrivalTable::Params params;
+  params.mostOfNode = 1;
+  const ArrivalTable few(graph, WalkCost{}, library.frames.framesPerSecond, params);
+  EXPECT_LT(few.size(), table.size());
+  for (std::uint32_t node = 0; node < graph.nodeCount(); ++node) {
+    const std::vector<std::uint32_t> found = few.near(node, {0.0, 0.0}, 10.0);
+    ASSERT_EQ(found.size(), table.near(node, {0.0, 0.0}, 10.0).empty() ? 0U : 1U);
+    EXPECT_EQ(few.leastMetres(node), table.leastMetres(node));
+    for (const std::uint32_t a : found) EXPECT_EQ(few[a].costMetres, table.leastMetres(node));
+  }
+}
+
 }  // namespace
 }  // namespace stridegraph
