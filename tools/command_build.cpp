@@ -67,6 +67,7 @@ std::string toJson(const BuildReport& report, const MotionLibrary* library, cons
                             {"transitions", report.transitionsBeforePruning}};
   json["after_pruning"] = {
       {"nodes", report.nodes}, {"clip_pieces", report.clipPieces}, {"transitions", report.transitions}};
+  json["transitions_before_thinning"] = report.transitionsBeforeThinning;
   json["surviving_share"] = report.survivingShare;
   for (const ClipFate& clip : report.clips) {
     json["clips"].push_back({{"name", clip.name},
@@ -150,6 +151,8 @@ void addBuildCommand(CLI::App& program, int& exitCode) {
           "Keep only the best of the transitions within so many frames of each other");
   setting("--span-ratio", params.largestSpanRatio,
           "How many times longer one side of a transition may be than the other, 1 to 2");
+  setting("--most-transitions", params.mostTransitions,
+          "Of a library with more keep so many, 1000 or more, spread over all that its clips show");
   setting("--fps", params.framesPerSecond, "Frames a second of the library");
   command->add_option("--units", arguments->units, "auto, m, cm, in or metres per unit")
       ->capture_default_str();

@@ -32,6 +32,7 @@ val reportValue(const BuildReport& report) {
   value.set("nodes", static_cast<double>(report.nodes));
   value.set("clipPieces", static_cast<double>(report.clipPieces));
   value.set("transitions", static_cast<double>(report.transitions));
+  value.set("transitionsBeforeThinning", static_cast<double>(report.transitionsBeforeThinning));
   value.set("survivingShare", report.survivingShare);
   value.set("clips", clips);
   value.set("warnings", warningList(report.warnings));

@@ -55,7 +55,8 @@ void readKind(OptionReader& reader, const char* member, std::optional<Kind> (*fi
 /// A library that is appended to keeps its settings.
 void refuseSettingsBesideAppend(OptionReader& reader) {
   if (!reader.isGiven("append")) return;
-  for (const char* name : {"threshold", "transitionFrames", "fps", "mirror", "neighbours", "spanRatio"}) {
+  for (const char* name :
+       {"threshold", "transitionFrames", "fps", "mirror", "neighbours", "spanRatio", "mostTransitions"}) {
     if (reader.isGiven(name)) {
       reader.refuse(fmt::format(
           "build options: found {} beside append, expected none: the library keeps its own", name));
@@ -99,6 +100,9 @@ Result<BuildOptions> readBuildOptions(const val& options) {
   }
   if (const auto frames = reader.wholeNumber("neighbours")) {
     read.library.neighbourFrames = static_cast<std::uint32_t>(std::min(*frames, 4294967295.0));
+  }
+  if (const auto transitions = reader.wholeNumber("mostTransitions")) {
+    read.library.mostTransitions = static_cast<std::uint32_t>(std::min(*transitions, 4294967295.0));
   }
   read.library.largestSpanRatio = reader.number("spanRatio").value_or(read.library.largestSpanRatio);
   refuseSettingsBesideAppend(reader);

@@ -234,6 +234,8 @@ export interface BuildReport {
   nodes: number
   clipPieces: number
   transitions: number
+  /** After pruning: more than `transitions` where mostTransitions left some out. */
+  transitionsBeforeThinning: number
   /** Of all frames, 0..1. */
   survivingShare: number
   clips: { name: string; frames: number; transitions: number; survivingFrames: number; reason: string }[]
@@ -277,6 +279,11 @@ export interface BuildOptions {
   neighbours?: number
   /** How many times longer one side of a transition may be than the other, 1..2; 1.5 when missing. */
   spanRatio?: number
+  /**
+   * Of a library with more transitions so many are kept, spread over all that its clips show, 1000 or more; 15000 when
+   * missing.
+   */
+  mostTransitions?: number
   /**
    * .sgraph bytes of a library to go on from: its clips come first and only new frames are compared. It keeps its
    * settings, so that none of the above may be given, and its license unless there is another. The result is the

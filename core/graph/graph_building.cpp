@@ -23,25 +23,6 @@ MotionEdge clipPiece(const std::vector<FrameIndex>& nodes, NodeIndex from, NodeI
   return piece;
 }
 
-/// The graph's nodes and edges that `keep` names, renumbered.
-MotionGraph partOf(const MotionGraph& graph, const std::vector<bool>& keep) {
-  MotionGraph part;
-  std::vector<NodeIndex> newIndex(graph.nodes.size());
-  for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
-    if (!keep[n]) continue;
-    newIndex[n] = NodeIndex(part.nodes.size());
-    part.nodes.push_back(graph.nodes[n]);
-  }
-  for (MotionEdge edge : graph.edges) {
-    if (!keep[edge.from.value] || !keep[edge.to.value]) continue;
-    edge.from = newIndex[edge.from.value];
-    edge.to = newIndex[edge.to.value];
-    part.edges.push_back(edge);
-  }
-  indexEdges(part);
-  return part;
-}
-
 /// Tarjan's depth-first search with a stack of its own.
 class ComponentFinder {
  public:
@@ -159,6 +140,24 @@ MotionGraph buildGraph(std::span<const std::uint32_t> clipFrameCounts,
   }
   indexEdges(graph);
   return graph;
+}
+
+MotionGraph partOf(const MotionGraph& graph, const std::vector<bool>& keep) {
+  MotionGraph part;
+  std::vector<NodeIndex> newIndex(graph.nodes.size());
+  for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
+    if (!keep[n]) continue;
+    newIndex[n] = NodeIndex(part.nodes.size());
+    part.nodes.push_back(graph.nodes[n]);
+  }
+  for (MotionEdge edge : graph.edges) {
+    if (!keep[edge.from.value] || !keep[edge.to.value]) continue;
+    edge.from = newIndex[edge.from.value];
+    edge.to = newIndex[edge.to.value];
+    part.edges.push_back(edge);
+  }
+  indexEdges(part);
+  return part;
 }
 
 MotionGraph largestStronglyConnectedPart(const MotionGraph& graph) {

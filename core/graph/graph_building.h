@@ -25,6 +25,9 @@ struct FrameTransition {
 MotionGraph buildGraph(std::span<const std::uint32_t> clipFrameCounts,
                        std::span<const FrameTransition> transitions);
 
+/// The nodes for which `keep` is true, renumbered, and the edges between them.
+MotionGraph partOf(const MotionGraph& graph, const std::vector<bool>& keep);
+
 /// The largest strongly connected part (Tarjan 1972, without recursion): within it no walk ever dies. Largest
 /// by nodes; of equal ones the one with the earliest node. Empty when no part has an edge.
 MotionGraph largestStronglyConnectedPart(const MotionGraph& graph);

@@ -23,6 +23,9 @@ struct LibraryParams {
   /// How many times longer one side of a transition may be than the other, 1 (never) to 2, so that a slow
   /// and a brisk step connect; see ValleyParams.
   double largestSpanRatio = 1.5;
+  /// Kept at most, 1000 or more (thinnedGraph). What one actor walks in 3 minutes has some 8000 with mirror
+  /// images; what a search may look through in a few milliseconds is the reason for the limit.
+  std::uint32_t mostTransitions = 15'000;
 };
 
 /// Two pieces of a library's motion that are alike: frames row..row + rowSpan and column..column +

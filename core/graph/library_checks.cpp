@@ -12,6 +12,9 @@ namespace {
 
 using Fault = std::optional<std::string>;
 
+/// With fewer even a single stretch of a clip that repeats itself might not fit in.
+constexpr std::uint32_t kLeastMostTransitions = 1000;
+
 bool isBetween(double value, double low, double high) {
   return value >= low && value <= high;
 }
@@ -126,6 +129,9 @@ Fault faultIn(const LibraryParams& params) {
     return fmt::format("a neighbourhood of {} frames, 0 to 100 expected", params.neighbourFrames);
   if (!isBetween(params.largestSpanRatio, 1.0, 2.0))
     return fmt::format("spans {} times as long, 1 to 2 expected", params.largestSpanRatio);
+  if (params.mostTransitions < kLeastMostTransitions)
+    return fmt::format("{} transitions at most, {} or more expected", params.mostTransitions,
+                       kLeastMostTransitions);
   return {};
 }
 

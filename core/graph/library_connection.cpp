@@ -2,15 +2,27 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "graph/graph_building.h"
 #include "graph/region_transitions.h"
 #include "graph/survival.h"
+#include "graph/thinning.h"
 
 namespace stridegraph {
 namespace {
 
 /// A strong part that holds less than this share of the frames is hardly a library.
 constexpr double kTinyShare = 0.1;
+
+/// Stretches to choose from in a graph that is too large, seconds: longer than a turn with its lead-in, so
+/// that most bring a motion from beginning to end.
+constexpr double kStretchSeconds = 4.0;
+
+ThinningParams thinningOf(const LibraryParams& params) {
+  return {.mostTransitions = params.mostTransitions,
+          .stretchFrames = static_cast<std::uint32_t>(std::lround(kStretchSeconds * params.framesPerSecond))};
+}
 
 void count(const MotionLibrary& library, const MotionGraph& whole, BuildReport& report) {
   report.nodesBeforePruning = whole.nodes.size();
@@ -23,6 +35,14 @@ void count(const MotionLibrary& library, const MotionGraph& whole, BuildReport& 
   for (const ClipFate& fate : report.clips) surviving += fate.survivingFrames;
   const std::size_t all = library.frames.frameCount();
   report.survivingShare = static_cast<double>(surviving) / static_cast<double>(all);
+  if (report.transitions < report.transitionsBeforeThinning) {
+    report.warnings.push_back(
+        {fmt::format("{} of {} transitions are kept, and {} of {} frames: of motions that are there many "
+                     "times the library holds some, so that it opens and walks soon",
+                     report.transitions, report.transitionsBeforeThinning, surviving, all),
+         {}});
+    return;
+  }
   if (report.survivingShare >= kTinyShare || surviving == 0) return;
   report.warnings.push_back(
       {fmt::format(
@@ -38,8 +58,10 @@ Result<void> connectLibrary(MotionLibrary& library, std::span<const Jerk> jerks,
   std::vector<FrameTransition> transitions = transitionsOf(library.regions);
   std::erase_if(transitions, [&](const FrameTransition& one) { return blendsAcross(jerks, one); });
   const MotionGraph whole = buildGraph(steadyFrameCounts(library, jerks), transitions);
-  library.graph = withoutPassThroughNodes(largestStronglyConnectedPart(whole));
-  report.clips = clipFates(library, transitions);
+  const MotionGraph pruned = largestStronglyConnectedPart(whole);
+  report.transitionsBeforeThinning = pruned.transitionCount();
+  library.graph = withoutPassThroughNodes(thinnedGraph(pruned, library.clips, thinningOf(library.params)));
+  report.clips = clipFates(library, pruned, transitions);
   count(library, whole, report);
   if (!library.graph.nodes.empty()) return {};
   return fail(ErrorCode::kEmptyGraph,

@@ -118,8 +118,13 @@ void readRest(const sgraph::Library& file, MotionLibrary& library) {
     library.contactJoints.emplace_back(std::size_t{joint});
   library.contacts.assign(file.contacts()->begin(), file.contacts()->end());
   library.floorHeightMetres = file.floor_height_metres();
-  library.params = {file.threshold_metres(), file.transition_frames(), file.frames_per_second(),
-                    file.mirror(),           file.neighbour_frames(),  file.largest_span_ratio()};
+  library.params = {.thresholdMetres = file.threshold_metres(),
+                    .transitionFrames = file.transition_frames(),
+                    .framesPerSecond = file.frames_per_second(),
+                    .mirror = file.mirror(),
+                    .neighbourFrames = file.neighbour_frames(),
+                    .largestSpanRatio = file.largest_span_ratio(),
+                    .mostTransitions = file.most_transitions()};
   library.license = text(file.license());
   library.hash = file.hash();
 }

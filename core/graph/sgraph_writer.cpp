@@ -132,6 +132,9 @@ void writeLibrary(FlatBufferBuilder& builder, const MotionLibrary& library) {
   table.add_license(license);
   table.add_neighbour_frames(library.params.neighbourFrames);
   table.add_largest_span_ratio(library.params.largestSpanRatio);
+  // Left out where it is what readers take it to be: libraries from before it keep their bytes, and hashes.
+  if (library.params.mostTransitions != LibraryParams{}.mostTransitions)
+    table.add_most_transitions(library.params.mostTransitions);
   table.add_regions(regions);
   sgraph::FinishLibraryBuffer(builder, table.Finish());
 }

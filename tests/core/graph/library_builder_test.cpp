@@ -1,5 +1,6 @@
 #include "graph/library_builder.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -24,6 +25,17 @@ Error errorOf(std::vector<BvhDocument> documents, const LibraryParams& params = 
 
 bool holds(const std::string& text, std::string_view part) {
   return text.find(part) != std::string::npos;
+}
+
+/// Enough of one gait for some thousand transitions.
+std::vector<BvhDocument> manyWalks() {
+  std::vector<BvhDocument> walks;
+  for (int w = 0; w < 16; ++w) {
+    walks.push_back(
+        documentOf(walkOf({.frames = 80, .turnPerSecond = Angle::degrees(4.0 * w), .phaseCycles = 0.07 * w}),
+                   fmt::format("walk {}", w)));
+  }
+  return walks;
 }
 
 TEST(LibraryBuilder, buildsASoundLibraryFromWalks) {
@@ -65,6 +77,42 @@ TEST(LibraryBuilder, reportsWhatItKept) {
     EXPECT_TRUE(holds(fate.reason, "no way leads into frames 0 to ")) << fate.reason;
   }
   EXPECT_NEAR(report.survivingShare, static_cast<double>(surviving) / 240.0, 1e-12);
+  EXPECT_EQ(report.transitionsBeforeThinning, report.transitions);
+}
+
+TEST(LibraryBuilder, keepsNoMoreTransitionsThanAskedAndSaysWhatItLeavesOut) {
+  const BuiltLibrary built = builtFrom(manyWalks(), {.mostTransitions = 1000});
+  const BuildReport& report = built.report;
+  EXPECT_EQ(faultIn(built.library).value_or(""), "");
+  EXPECT_LE(report.transitions, 1000U);
+  EXPECT_GT(report.transitions, 500U);
+  EXPECT_EQ(report.transitionsBeforeThinning, builtFrom(manyWalks()).report.transitions);
+  ASSERT_FALSE(report.warnings.empty());
+  EXPECT_TRUE(report.warnings.back().message.starts_with(fmt::format(
+      "{} of {} transitions are kept, and ", report.transitions, report.transitionsBeforeThinning)))
+      << report.warnings.back().message;
+  std::size_t surviving = 0;
+  std::size_t leftOut = 0;
+  for (const ClipFate& fate : report.clips) {
+    surviving += fate.survivingFrames;
+    if (fate.survivingFrames > 0) continue;
+    ++leftOut;
+    EXPECT_TRUE(holds(fate.reason, " frames are left out, since others show as much")) << fate.reason;
+  }
+  EXPECT_GT(leftOut, 0U);
+  EXPECT_LT(leftOut, report.clips.size());
+  EXPECT_NEAR(report.survivingShare * static_cast<double>(built.library.frames.frameCount()),
+              static_cast<double>(surviving), 1e-6);
+}
+
+TEST(LibraryBuilder, thinsAnAppendedLibraryAsOneBuiltAtOnce) {
+  const LibraryParams params = {.mostTransitions = 1000};
+  const std::vector<BvhDocument> documents = manyWalks();
+  const MotionLibrary base = builtFrom({documents.begin(), documents.end() - 2}, params).library;
+  auto builder = LibraryBuilder::append(base, {documents.end() - 2, documents.end()});
+  while (builder->step()) {
+  }
+  EXPECT_EQ(builder->finish()->hash, builtFrom(documents, params).library.hash);
 }
 
 TEST(LibraryBuilder, saysWhyAClipIsLeftOut) {
@@ -276,6 +324,8 @@ TEST(LibraryBuilder, refusesParamsOutOfRange) {
             "241 frames a second, 1 to 240 expected");
   EXPECT_EQ(errorOf(threeWalks(), {.neighbourFrames = 101}).message,
             "a neighbourhood of 101 frames, 0 to 100 expected");
+  EXPECT_EQ(errorOf(threeWalks(), {.mostTransitions = 999}).message,
+            "999 transitions at most, 1000 or more expected");
   EXPECT_EQ(errorOf(threeWalks(), {.largestSpanRatio = 2.5}).message,
             "spans 2.5 times as long, 1 to 2 expected");
   EXPECT_EQ(errorOf(threeWalks(), {.framesPerSecond = 241.0}).code, ErrorCode::kInvalidArgument);

@@ -65,6 +65,7 @@ TEST(Sgraph, givesBackEveryPartOfALibraryExactly) {
   EXPECT_EQ(read->params.mirror, library.params.mirror);
   EXPECT_EQ(read->params.neighbourFrames, library.params.neighbourFrames);
   EXPECT_EQ(read->params.largestSpanRatio, library.params.largestSpanRatio);
+  EXPECT_EQ(read->params.mostTransitions, library.params.mostTransitions);
   EXPECT_FALSE(library.regions.empty());
   EXPECT_EQ(read->regions, library.regions);
   EXPECT_EQ(read->license, library.license);
