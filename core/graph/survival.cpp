@@ -2,8 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <optional>
+#include <string>
 
 #include "graph/pose_distance.h"
 
@@ -33,37 +32,33 @@ std::vector<Links> linksOf(const MotionLibrary& library, std::span<const FrameTr
   return links;
 }
 
-/// First and last frame of a clip, within it, that pruning leaves: always one run, since a piece of a clip
-/// between two nodes of a strongly connected part belongs to it.
+/// First and last frame, within a clip, of what a graph plays of it without a gap.
 struct Run {
   std::uint32_t first;
   std::uint32_t last;
 };
+using Runs = std::vector<Run>;
 
-std::vector<std::optional<Run>> prunedRuns(const MotionLibrary& library, const MotionGraph& pruned) {
-  std::vector<std::optional<Run>> runs(library.clips.size());
-  for (const FrameIndex node : pruned.nodes) {
-    const LibraryClip& clip = library.clipOf(node);
-    std::optional<Run>& run = runs[static_cast<std::size_t>(&clip - library.clips.data())];
-    const std::uint32_t frame = node.value - clip.firstFrame;
-    if (!run) run = Run{frame, frame};
-    run->last = frame;
+/// For each clip, ascending.
+std::vector<Runs> runsOf(const MotionLibrary& library, const MotionGraph& graph) {
+  std::vector<bool> playsOn(graph.nodes.size(), false);
+  for (const MotionEdge& edge : graph.edges)
+    if (edge.kind == EdgeKind::kClipPiece) playsOn[edge.from.value] = true;
+  std::vector<Runs> runs(library.clips.size());
+  for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
+    const LibraryClip& clip = library.clipOf(graph.nodes[n]);
+    Runs& ofClip = runs[static_cast<std::size_t>(&clip - library.clips.data())];
+    const std::uint32_t frame = graph.nodes[n].value - clip.firstFrame;
+    // A piece of a clip leads to the next node.
+    if (n == 0 || !playsOn[n - 1]) ofClip.push_back({frame, frame});
+    ofClip.back().last = frame;
   }
   return runs;
 }
 
-/// For each clip how many of its frames the library's graph shows.
-std::vector<std::size_t> survivingFrames(const MotionLibrary& library) {
-  std::vector<std::size_t> frames(library.clips.size(), 0);
-  const MotionGraph& graph = library.graph;
-  const auto framesAt = [&](FrameIndex frame) -> std::size_t& {
-    return frames[static_cast<std::size_t>(&library.clipOf(frame) - library.clips.data())];
-  };
-  for (const FrameIndex node : graph.nodes) ++framesAt(node);
-  for (const MotionEdge& edge : graph.edges) {
-    // Its ends are nodes.
-    if (edge.kind == EdgeKind::kClipPiece) framesAt(graph.nodes[edge.from.value]) += edge.frames - 1;
-  }
+std::size_t framesOf(const Runs& runs) {
+  std::size_t frames = 0;
+  for (const Run& run : runs) frames += run.last - run.first + 1;
   return frames;
 }
 
@@ -80,17 +75,22 @@ std::string reasonForNothing(const MotionLibrary& library, const LibraryClip& cl
   return "no way leads from it to the rest of the graph and back";
 }
 
-std::string reasonForPart(const LibraryClip& clip, const Run& run, std::size_t survivingFrames) {
-  std::string reason;
-  if (run.first > 0) reason = fmt::format("no way leads into frames 0 to {}", run.first - 1);
-  if (run.last + 1 < clip.frameCount) {
-    reason += reason.empty() ? "" : ", and ";
-    reason += fmt::format("none leads out of frames {} to {} again", run.last + 1, clip.frameCount - 1);
+std::string reasonForPart(const LibraryClip& clip, const Runs& pruned, std::size_t survivingFrames) {
+  std::vector<std::string> missing;
+  if (pruned.front().first > 0)
+    missing.push_back(fmt::format("into frames 0 to {}", pruned.front().first - 1));
+  for (std::size_t r = 0; r + 1 < pruned.size(); ++r) {
+    if (pruned[r].last + 1 < pruned[r + 1].first)
+      missing.push_back(fmt::format("through frames {} to {}", pruned[r].last + 1, pruned[r + 1].first - 1));
   }
-  const std::size_t thinned = run.last - run.first + 1 - survivingFrames;
-  if (thinned > 0) {
-    reason += reason.empty() ? "" : "; ";
-    reason += fmt::format("{} frames are left out, since others show as much", thinned);
+  if (pruned.back().last + 1 < clip.frameCount)
+    missing.push_back(
+        fmt::format("out of frames {} to {} again", pruned.back().last + 1, clip.frameCount - 1));
+  std::string reason = missing.empty() ? "" : fmt::format("no way leads {}", fmt::join(missing, " or "));
+  if (survivingFrames < framesOf(pruned)) {
+    reason += missing.empty() ? "" : "; ";
+    reason +=
+        fmt::format("{} frames are left out, since others show as much", framesOf(pruned) - survivingFrames);
   }
   return reason;
 }
@@ -100,14 +100,15 @@ std::string reasonForPart(const LibraryClip& clip, const Run& run, std::size_t s
 std::vector<ClipFate> clipFates(const MotionLibrary& library, const MotionGraph& pruned,
                                 std::span<const FrameTransition> transitions) {
   const std::vector<Links> links = linksOf(library, transitions);
-  const std::vector<std::optional<Run>> runs = prunedRuns(library, pruned);
-  const std::vector<std::size_t> surviving = survivingFrames(library);
+  const std::vector<Runs> prunedRuns = runsOf(library, pruned);
+  const std::vector<Runs> runs = runsOf(library, library.graph);
   std::vector<ClipFate> fates;
   for (std::size_t c = 0; c < library.clips.size(); ++c) {
     const LibraryClip& clip = library.clips[c];
-    fates.push_back(
-        {clip.name, clip.frameCount, links[c].transitions, surviving[c],
-         runs[c] ? reasonForPart(clip, *runs[c], surviving[c]) : reasonForNothing(library, clip, links[c])});
+    const std::size_t frames = framesOf(runs[c]);
+    fates.push_back({clip.name, clip.frameCount, links[c].transitions, frames,
+                     prunedRuns[c].empty() ? reasonForNothing(library, clip, links[c])
+                                           : reasonForPart(clip, prunedRuns[c], frames)});
   }
   return fates;
 }

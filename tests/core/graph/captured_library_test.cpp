@@ -98,7 +98,8 @@ TEST(CapturedWalks, ofAccadKeepMostOfTheirFramesInOnePart) {
   EXPECT_EQ(faultIn(built.library).value_or(""), "");
   EXPECT_NEAR(static_cast<double>(built.report.transitionsBeforePruning), 2452.0, 200.0);
   EXPECT_NEAR(static_cast<double>(built.report.transitions), 2097.0, 150.0);
-  EXPECT_GT(built.report.survivingShare, 0.86);
+  // Beside both ends of every clip, 67 and 24 frames beside slips are missing.
+  EXPECT_NEAR(built.report.survivingShare, 0.848, 0.01);
   for (const ClipFate& fate : built.report.clips) EXPECT_GT(fate.survivingFrames, 0U) << fate.name;
   EXPECT_NEAR(built.library.facingOffset.angle().degrees(), -83.5, 0.1);
   EXPECT_EQ(built.library.contactJoints.size(), 6U);
