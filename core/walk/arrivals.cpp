@@ -1,7 +1,7 @@
 #include "walk/arrivals.h"
 
 #include <algorithm>
-#include <tuple>
+#include <utility>
 
 #include "walk/search_heap.h"
 #include "walk/state_set.h"
@@ -10,14 +10,26 @@ namespace stridegraph {
 
 /// Dijkstra's algorithm backwards from all stands.
 struct ArrivalTable::Building {
+  /// A way that leads to a node.
+  struct Into {
+    std::uint32_t from = 0;
+    std::uint32_t edge = 0;
+    double costMetres = 0.0;
+  };
+  /// An arrival before its turn has come: where it ends is worked out then, for most never.
+  struct Open {
+    std::uint32_t node = 0;
+    std::uint32_t edge = 0;
+    std::uint32_t next = Arrival::kNone;
+    double costMetres = 0.0;
+  };
+
   const SearchGraph& graph;
   const WalkCost& cost;
   double framesPerSecond;
   const Params& params;
-  std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>>
-      into;  ///< Nodes and ways that lead to a node.
-  std::vector<Arrival> open;
-  std::vector<std::uint32_t> openNodes;
+  std::vector<std::vector<Into>> into;  ///< For each node.
+  std::vector<Open> open;
   SearchHeap heap;
   StateSet closed;
   std::vector<std::uint32_t> ofNode;  ///< How many arrivals a node has.
@@ -26,11 +38,10 @@ struct ArrivalTable::Building {
     return cost.ofGoing(edge, framesPerSecond) + cost.ofTransitions(edge);
   }
 
-  void push(std::uint32_t node, const Arrival& arrival) {
-    if (arrival.costMetres > params.reachMetres || ofNode[node] == params.mostOfNode) return;
+  void push(const Open& arrival) {
+    if (arrival.costMetres > params.reachMetres || ofNode[arrival.node] == params.mostOfNode) return;
     heap.push(arrival.costMetres, static_cast<std::uint32_t>(open.size()));
     open.push_back(arrival);
-    openNodes.push_back(node);
   }
 
   std::uint64_t key(std::uint32_t node, const FloorTransform& end) const {
@@ -50,11 +61,12 @@ struct ArrivalTable::Building {
         // Ways as captured will do: a walk's end is bent to the goal anyway.
         if (edge.bendRadians > 0.0) continue;
         const std::uint32_t index = graph.indexOf(edge);
-        if (edge.to != SearchEdge::kNone) into[edge.to].emplace_back(node, index);
+        const double whole = costOf(edge);
+        if (edge.to != SearchEdge::kNone) into[edge.to].push_back({node, index, whole});
         if (edge.settledSample == SearchEdge::kNone) continue;
         const double share =
             static_cast<double>(edge.settledSample + 1) / static_cast<double>(edge.sampleCount);
-        push(node, {edge.settledEnd, share * costOf(edge), index, Arrival::kNone});
+        push({node, index, Arrival::kNone, share * whole});
       }
     }
   }
@@ -64,18 +76,17 @@ struct ArrivalTable::Building {
     std::vector<std::uint32_t> nodeOf;
     begin();
     while (!heap.empty()) {
-      const std::uint32_t id = heap.pop();
-      const Arrival arrival = open[id];
-      const std::uint32_t node = openNodes[id];
-      if (ofNode[node] == params.mostOfNode || !closed.insert(key(node, arrival.end))) continue;
-      ++ofNode[node];
+      const Open at = open[heap.pop()];
+      if (ofNode[at.node] == params.mostOfNode) continue;
+      const SearchEdge& edge = graph.edges()[at.edge];
+      const FloorTransform end =
+          at.next == Arrival::kNone ? edge.settledEnd : edge.end * arrivals[at.next].end;
+      if (!closed.insert(key(at.node, end))) continue;
+      ++ofNode[at.node];
       const auto next = static_cast<std::uint32_t>(arrivals.size());
-      arrivals.push_back(arrival);
-      nodeOf.push_back(node);
-      for (const auto& [from, index] : into[node]) {
-        const SearchEdge& edge = graph.edges()[index];
-        push(from, {edge.end * arrival.end, arrival.costMetres + costOf(edge), index, next});
-      }
+      arrivals.push_back({end, at.costMetres, at.edge, at.next});
+      nodeOf.push_back(at.node);
+      for (const Into& way : into[at.node]) push({way.from, way.edge, next, at.costMetres + way.costMetres});
     }
     return nodeOf;
   }
@@ -84,7 +95,7 @@ struct ArrivalTable::Building {
 ArrivalTable::ArrivalTable(const SearchGraph& graph, const WalkCost& cost, double framesPerSecond,
                            const Params& params)
     : reachMetres_(params.reachMetres), least_(graph.nodeCount(), params.reachMetres) {
-  Building building{graph, cost, framesPerSecond, params, {}, {}, {}, {}, {}, {}};
+  Building building{graph, cost, framesPerSecond, params, {}, {}, {}, {}, {}};
   const std::vector<std::uint32_t> nodeOf = building.run(arrivals_);
   for (std::size_t a = 0; a < arrivals_.size(); ++a) {
     double& least = least_[nodeOf[a]];
@@ -94,15 +105,18 @@ ArrivalTable::ArrivalTable(const SearchGraph& graph, const WalkCost& cost, doubl
 }
 
 void ArrivalTable::indexByNode(const std::vector<std::uint32_t>& nodeOf, std::size_t nodeCount) {
-  for (std::uint32_t a = 0; a < arrivals_.size(); ++a) byNode_.push_back(a);
-  const auto key = [&](std::uint32_t a) {
-    return std::tuple(nodeOf[a], arrivals_[a].end.translation.x(), a);
-  };
-  std::sort(byNode_.begin(), byNode_.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
   firstOfNode_.assign(nodeCount + 1, 0);
   for (const std::uint32_t node : nodeOf) ++firstOfNode_[node + 1];
   for (std::size_t n = 0; n < nodeCount; ++n) firstOfNode_[n + 1] += firstOfNode_[n];
+  byNode_.resize(arrivals_.size());
+  std::vector<std::uint32_t> free(firstOfNode_.begin(), firstOfNode_.end() - 1);
+  for (std::uint32_t a = 0; a < arrivals_.size(); ++a) byNode_[free[nodeOf[a]]++] = a;
+  const auto key = [&](std::uint32_t a) { return std::pair(arrivals_[a].end.translation.x(), a); };
+  for (std::size_t n = 0; n < nodeCount; ++n) {
+    std::sort(byNode_.begin() + static_cast<std::ptrdiff_t>(firstOfNode_[n]),
+              byNode_.begin() + static_cast<std::ptrdiff_t>(firstOfNode_[n + 1]),
+              [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+  }
 }
 
 std::vector<std::uint32_t> ArrivalTable::near(std::uint32_t node, const Vec2& point,
