@@ -123,6 +123,10 @@ TEST(LibraryBuilder, letsNothingPlayAcrossAJerkAndSaysWhere) {
                       "anywhere else: nothing plays across that"),
             std::string::npos)
       << describe(built.report.warnings[0]);
+  // A transition that leads in ends, and one that leads out begins, with its whole blend on one side.
+  const ClipFate& fate = built.report.clips[0];
+  EXPECT_NE(fate.reason.find(" or through frames 588 to 612 or "), std::string::npos) << fate.reason;
+  EXPECT_LT(fate.survivingFrames + 24, fate.frames);
   const MotionGraph& graph = built.library.graph;
   for (const MotionEdge& edge : graph.edges) {
     const std::uint32_t from = graph.nodes[edge.from.value].value;
