@@ -34,6 +34,7 @@ struct BenchArguments {
   std::string writtenFolder;
   std::vector<std::size_t> frames;
   std::vector<std::size_t> rectangles;
+  std::vector<std::size_t> walkers;
   std::vector<std::string> joinedPaths;
   std::string jsonPath;
   std::string markdownPath;
@@ -139,6 +140,10 @@ void measureGrowthOfRooms(const BenchArguments& arguments, const BenchLibrary& l
     document.growth.push_back(bench::growthAtRectangles(*library.planner, rectangles, arguments.measure));
     say(fmt::format("growth: {} rectangles", rectangles));
   }
+  for (const std::size_t walkers : arguments.walkers) {
+    document.growth.push_back(bench::growthAtWalkers(*library.planner, walkers, arguments.measure));
+    say(fmt::format("growth: {} walkers", walkers));
+  }
 }
 
 Result<BenchDocument> measureAll(const BenchArguments& arguments) {
@@ -234,6 +239,11 @@ void addBenchCommand(CLI::App& program, int& exitCode) {
       ->add_option("--growth-rectangles", arguments->rectangles,
                    "Numbers of rectangles to walk between with the first library, as 0,100")
       ->delimiter(',');
+  command
+      ->add_option("--growth-walkers", arguments->walkers,
+                   "Numbers of walkers to cross one square with the first library, as 1,10,100")
+      ->delimiter(',')
+      ->check(CLI::PositiveNumber);
   command->add_option("--join", arguments->joinedPaths,
                       "What bench --json or node_bench.mjs wrote, tabulated together with this");
   command->add_option("--json", arguments->jsonPath, "Write every run");

@@ -18,4 +18,8 @@ bool isSound(const BenchRun& run) {
          run.arrivalErrorMetres <= run.goalRadiusMetres;
 }
 
+bool isTime(std::string_view figureName) {
+  return figureName.ends_with(" ms") || figureName.ends_with(" s");
+}
+
 }  // namespace stridegraph::bench

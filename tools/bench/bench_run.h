@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -61,6 +62,9 @@ struct GrowthRow {
   double size = 0.0;
   std::vector<std::pair<std::string, double>> figures;  ///< By name with unit: "build s".
 };
+
+/// Whether a figure of that name is a time, to its unit.
+bool isTime(std::string_view figureName);
 
 /// All that was measured.
 struct BenchDocument {

@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "bench/crossing.h"
 #include "bench/random_room.h"
 #include "bench/summary.h"
 #include "bench/varied_clips.h"
@@ -74,6 +75,7 @@ GrowthRow growthAtFrames(std::size_t frames, const MeasureParams& params) {
   row.figures = {{"build s", seconds},
                  {"million pairs", 1e-6 * static_cast<double>(report.framePairs)},
                  {"nodes", static_cast<double>(report.nodes)},
+                 {"transitions found", static_cast<double>(report.transitionsBeforeThinning)},
                  {"transitions", static_cast<double>(report.transitions)},
                  {"file MB", 1e-6 * static_cast<double>(bytes.size())},
                  {"open ms", ready - opening},
@@ -99,6 +101,27 @@ GrowthRow growthAtRectangles(const WalkPlanner& planner, std::size_t rectangles,
            {"motion ms", medianOf(runs, [](const BenchRun& run) { return run.motionMilliseconds; })},
            {"synthesis ms", medianOf(runs, [](const BenchRun& run) { return run.synthesisMilliseconds; })},
            {"walk ms", medianOf(runs, [](const BenchRun& run) { return run.totalMilliseconds; })}}};
+}
+
+GrowthRow growthAtWalkers(const WalkPlanner& planner, std::size_t walkers, const MeasureParams& params) {
+  GrowthRow row{"native", "walkers", static_cast<double>(walkers), {}};
+  const Scene scene = crossingScene(walkers);
+  PlanOptions options;
+  options.goalRadiusMetres = params.goalRadiusMetres;
+  options.clock = params.clock;
+  const double begin = params.clock();
+  const Result<Plan> plan = planner.plan(scene, options);
+  const double milliseconds = params.clock() - begin;
+  if (!plan) return row;
+  const Crossing crossing = crossingOf(scene, *plan);
+  row.figures = {{"arrived", static_cast<double>(crossing.arrived)},
+                 {"all ms", milliseconds},
+                 {"slowest walker ms", crossing.slowestMilliseconds},
+                 {"frames of contact", static_cast<double>(crossing.contactFrames)},
+                 {"mean length / shortest", crossing.meanLengthRatio}};
+  // A single walker has no other to come near to.
+  if (walkers > 1) row.figures.emplace_back("least gap m", crossing.leastGapMetres);
+  return row;
 }
 
 }  // namespace stridegraph::bench

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "bench/map_tables.h"
@@ -70,24 +71,56 @@ std::string agreementTable(const std::vector<BenchRun>& runs) {
                  table);
 }
 
+/// A figure of growth; "-" where the row does not have it.
+std::string growthCell(const GrowthRow& row, const std::string& name) {
+  const auto found = std::find_if(row.figures.begin(), row.figures.end(),
+                                  [&](const auto& figure) { return figure.first == name; });
+  if (found == row.figures.end()) return "-";
+  const double value = found->second;
+  if (name.find(" / ") != std::string::npos) return fmt::format("{:.3f}", value);
+  const bool isCount = !isTime(name) && value == std::floor(value);
+  return isCount ? fmt::format("{:.0f}", value) : figure(value);
+}
+
+/// Names of the figures of a kind of growth, in their order.
+Cells figureNames(const std::vector<GrowthRow>& rows, const std::string& kind) {
+  Cells names;
+  for (const GrowthRow& row : rows) {
+    if (row.what != kind) continue;
+    for (const auto& [name, value] : row.figures)
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  return names;
+}
+
+std::string aboutGrowth(const std::string& kind) {
+  if (kind == "frames")
+    return "Libraries built from varied takes of the default clips; walks through random rooms. Native.";
+  if (kind == "rectangles") return "Blocks in a room of 120 m a side. Native.";
+  if (kind == "walkers")
+    return "Walkers evenly on a circle, all to the place opposite, planned together: the square is 20 m "
+           "wide, or "
+           "as wide as 2.7 m between neighbours take. Native.";
+  return "Native.";
+}
+
 std::string growthTables(const std::vector<GrowthRow>& rows) {
   std::vector<std::string> kinds;
   for (const GrowthRow& row : rows)
     if (std::find(kinds.begin(), kinds.end(), row.what) == kinds.end()) kinds.push_back(row.what);
   std::string text;
   for (const std::string& kind : kinds) {
-    const auto first =
-        std::find_if(rows.begin(), rows.end(), [&](const GrowthRow& row) { return row.what == kind; });
+    const Cells names = figureNames(rows, kind);
     Cells heading = {kind};
-    for (const auto& [name, value] : first->figures) heading.push_back(name);
+    heading.insert(heading.end(), names.begin(), names.end());
     Table table(heading);
     for (const GrowthRow& row : rows) {
       if (row.what != kind) continue;
       Cells cells = {fmt::format("{:.0f}", row.size)};
-      for (const auto& [name, value] : row.figures) cells.push_back(figure(value));
+      for (const std::string& name : names) cells.push_back(growthCell(row, name));
       table.add(cells);
     }
-    text += section(fmt::format("Growth with {}", kind), "Native.", table);
+    text += section(fmt::format("Growth with {}", kind), aboutGrowth(kind), table);
   }
   return text;
 }

@@ -6,6 +6,7 @@ benchSeeds=20
 benchRooms=1000
 benchDocs=no
 benchFrames=1000,3000,10000,30000,100000
+benchWalkers=1,2,5,10,20,50,100
 benchTiming=()
 benchLibraries=()
 
@@ -21,6 +22,7 @@ readBenchOptions() {
         benchSeeds=3
         benchRooms=50
         benchFrames=1000,3000,10000
+        benchWalkers=1,2,5,10,20
         shift
         ;;
       --processor-time)
@@ -89,7 +91,7 @@ measureOmpl() {
 measureGrowth() {
   note "measuring how building and planning grow"
   build/bin/stridegraph bench --graph build/library/default.sgraph --growth-frames "$benchFrames" \
-    --growth-rectangles 0,100,300,1000,2000 --json "$benchFolder/growth.json" "${benchTiming[@]}" >"$benchFolder/growth.md"
+    --growth-rectangles 0,100,300,1000,2000 --growth-walkers "$benchWalkers" --json "$benchFolder/growth.json" "${benchTiming[@]}" >"$benchFolder/growth.md"
 }
 
 measureInNode() {

@@ -215,6 +215,23 @@ TEST(BenchTables, showGrowth) {
   EXPECT_NE(tables.find("| rectangles | path ms |"), std::string::npos);
 }
 
+TEST(BenchTables, showCountsAndRatiosOfGrowthAndWhatARowLacks) {
+  BenchDocument document;
+  document.growth = {
+      {"native", "walkers", 1.0, {{"arrived", 1.0}, {"all ms", 4.0}, {"length / shortest", 1.0}}},
+      {"native",
+       "walkers",
+       2.0,
+       {{"arrived", 2.0}, {"all ms", 6.5}, {"length / shortest", 1.0214}, {"least gap m", 0.04}}}};
+  const std::string tables = benchTables(document);
+  EXPECT_NE(tables.find("| walkers | arrived | all ms | length / shortest | least gap m |\n"
+                        "| --- | --- | --- | --- | --- |\n"
+                        "| 1 | 1 | 4.00 | 1.000 | - |\n"
+                        "| 2 | 2 | 6.50 | 1.021 | 0.04 |\n"),
+            std::string::npos)
+      << tables;
+}
+
 TEST(BenchTables, leaveOutWhatWasNotMeasured) {
   EXPECT_EQ(benchTables({}), "");
 }
