@@ -66,7 +66,9 @@ BenchDocument fullDocument() {
                      {"native", "frames", 10000.0, {{"build s", 3.0}, {"nodes", 7000.0}, {"open ms", 500.0}}},
                      {"native", "rectangles", 0.0, {{"walk ms", 30.0}}},
                      {"native", "rectangles", 100.0, {{"walk ms", 40.0}}},
-                     {"native", "rectangles", 2000.0, {{"walk ms", 90.0}}}};
+                     {"native", "rectangles", 2000.0, {{"walk ms", 90.0}}},
+                     {"native", "walkers", 1.0, {{"all ms", 4.0}, {"slowest walker ms", 4.0}}},
+                     {"native", "walkers", 100.0, {{"all ms", 4000.0}, {"slowest walker ms", 300.0}}}};
   return document;
 }
 
@@ -81,9 +83,10 @@ bool hasLabel(const figures::Svg& svg, const std::string& text) {
 
 TEST(BenchPicture, hasAPanelForEverythingMeasured) {
   const figures::Svg svg = benchPicture(fullDocument());
-  for (const char* title : {"Time to a walk", "Length over the shortest path", "Three searches",
-                            "Paths of the disc", "Random rooms", "Growth with frames",
-                            "Growth with rectangles", "08_stress", "thesis-checked", "rrt-connect"})
+  for (const char* title :
+       {"Time to a walk", "Length over the shortest path", "Three searches", "Paths of the disc",
+        "Random rooms", "Growth with frames", "Growth with rectangles", "Growth with walkers",
+        "slowest walker", "08_stress", "thesis-checked", "rrt-connect"})
     EXPECT_TRUE(hasLabel(svg, title)) << title;
 }
 
@@ -108,6 +111,12 @@ TEST(BenchPicture, leavesOutWhatWasNotMeasured) {
   EXPECT_FALSE(hasLabel(svg, "Time to a walk"));
   EXPECT_FALSE(hasLabel(svg, "Growth with frames"));
   EXPECT_LT(benchPicture({}).height(), svg.height());
+}
+
+TEST(BenchPicture, leavesOutGrowthThatHasNoSize) {
+  BenchDocument document;
+  document.growth = {{"native", "rectangles", 0.0, {{"walk ms", 30.0}}}};
+  EXPECT_FALSE(hasLabel(benchPicture(document), "Growth with rectangles"));
 }
 
 }  // namespace
