@@ -74,6 +74,7 @@ describe('buildLibrary', () => {
     assert.equal(buildReport.clips[0].frames, 90)
     assert.equal(buildReport.nodes, library.info.nodes)
     assert.equal(buildReport.transitions, library.info.transitions)
+    assert.equal(buildReport.transitionsBeforeThinning, buildReport.transitions)
     assert.ok(buildReport.survivingShare > 0 && buildReport.survivingShare <= 1)
     assert.ok(Array.isArray(buildReport.warnings))
     library.delete()
@@ -91,7 +92,7 @@ describe('buildLibrary', () => {
     assert.equal(library.info.transitionFrames, 9)
     assert.equal(library.info.frames, 179)
     library.delete()
-    for (const option of [{ neighbours: 101 }, { spanRatio: 2.5 }]) {
+    for (const option of [{ neighbours: 101 }, { spanRatio: 2.5 }, { mostTransitions: 999 }]) {
       assert.equal(refusalOf(() => engine.buildLibrary([walkerClip()], option)).code, 'invalid_argument')
     }
   })
