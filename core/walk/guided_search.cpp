@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -96,12 +97,10 @@ MotionQuery withWishes(MotionQuery query, const WalkConstraints& wishes) {
 }
 
 /// A steering table for who is asked for a pace, since it changes what every way costs.
-std::optional<SteeringTable> steeringUnlessUsual(const MotionQuery& query, const WalkCost& cost) {
-  if (!query.constraints->asksForPace()) return std::nullopt;
-  const double framesPerSecond = query.library.frames.framesPerSecond;
-  const ConstraintCost wishes(*query.constraints, framesPerSecond);
-  return SteeringTable(query.tables.graph, cost, framesPerSecond,
-                       [&](const SearchEdge& way) { return wishes.ofPace(way); });
+std::shared_ptr<const SteeringTable> steeringUnlessUsual(const MotionQuery& query) {
+  if (!query.constraints->asksForPace()) return nullptr;
+  if (query.paces != nullptr) return query.paces->steering(*query.constraints);
+  return PaceTables(query.tables.graph, query.library.frames.framesPerSecond).steering(*query.constraints);
 }
 
 /// A field of the query's own where none is known, or where areas make some metres count for more.
@@ -127,7 +126,7 @@ class Cascade {
       : wishes_(wishesOf(query)),
         query_(withWishes(query, wishes_)),
         params_(params),
-        ownSteering_(steeringUnlessUsual(query_, params.cost)),
+        ownSteering_(steeringUnlessUsual(query_)),
         steering_(ownSteering_ ? *ownSteering_ : query.tables.steering),
         ownField_(fieldUnlessKnown(query_, steering_)),
         field_(ownField_ ? *ownField_ : *query.field),
@@ -219,7 +218,7 @@ class Cascade {
   MotionQuery query_;
   const GuidedSearchParams& params_;
   GuidedStage stage_;  ///< Tried last.
-  std::optional<SteeringTable> ownSteering_;
+  std::shared_ptr<const SteeringTable> ownSteering_;
   const SteeringTable& steering_;
   std::optional<DistanceField> ownField_;
   const DistanceField& field_;

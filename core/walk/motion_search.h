@@ -12,6 +12,7 @@
 #include "path/floor_plan.h"
 #include "scene/scene.h"
 #include "walk/motion_path.h"
+#include "walk/pace_tables.h"
 #include "walk/search_tables.h"
 #include "walk/traffic.h"
 
@@ -63,6 +64,9 @@ struct MotionQuery {
   Traffic* traffic = nullptr;
   /// What the scene asks for beyond getting there; null when nothing. The thesis search does not look at it.
   const WalkConstraints* constraints = nullptr;
+  /// What is kept of the paces that scenes ask for, from one walk to the next; null where a search has to
+  /// find out itself.
+  PaceTables* paces = nullptr;
   /// A walk under way: `start` is where it goes on, and all else holds for what is left of it.
   std::optional<Onward> onward{};
 };

@@ -124,8 +124,9 @@ struct Plan {
   std::vector<Plan> others;         ///< Walks of the scene's further walkers, in their order.
 };
 
-/// A library made ready for planning walk after walk: the session facade. Immutable; planning the same scene
-/// with the same options gives the same walk.
+/// A library made ready for planning walk after walk: the session facade. Planning the same scene with the
+/// same options gives the same walk. What paces asked for cost is kept once known (PaceTables), so one thread
+/// plans at a time.
 class WalkPlanner {
  public:
   explicit WalkPlanner(std::shared_ptr<const MotionLibrary> library);
@@ -149,6 +150,7 @@ class WalkPlanner {
  private:
   std::shared_ptr<const MotionLibrary> library_;
   SearchTables tables_;
+  std::unique_ptr<PaceTables> paces_;
   FootCleanup feet_;
   SourceFigures sources_;
 };

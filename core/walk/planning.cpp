@@ -144,6 +144,7 @@ class Planning {
     query.field = field_.get();
     query.traffic = &task_.traffic;
     query.constraints = &scene_.constraints;
+    query.paces = &prepared_.paces;
     if (turn_) query.onward = turn_->onward;
     MotionResult found = searchMotion(options_.search, query);
     plan_.report.status = statusOf(found.status);

@@ -5,12 +5,13 @@
 
 namespace stridegraph {
 
-/// What is known of a library before any plan.
+/// What is known of a library before any plan, and of paces after some.
 struct Prepared {
   const MotionLibrary& library;
   const SearchTables& tables;
   const FootCleanup& feet;
   const SourceFigures& sources;
+  PaceTables& paces;
 };
 
 /// One walker's part of a scene.

@@ -157,13 +157,14 @@ class Crowd {
 WalkPlanner::WalkPlanner(std::shared_ptr<const MotionLibrary> library)
     : library_(std::move(library)),
       tables_(*library_),
+      paces_(std::make_unique<PaceTables>(tables_.graph, library_->frames.framesPerSecond)),
       feet_(*library_),
       sources_(sourceFigures(*library_)) {}
 
 Result<Plan> WalkPlanner::plan(const Scene& scene, const PlanOptions& options) const {
   if (auto checked = checkScene(scene); !checked) return fail(std::move(checked));
   if (auto checked = checkOptions(options); !checked) return fail(std::move(checked));
-  const Prepared prepared{*library_, tables_, feet_, sources_};
+  const Prepared prepared{*library_, tables_, feet_, sources_, *paces_};
   const FloorPlan floor = floorOf(scene, options);
   return Crowd(prepared, scene, floor, options).run();
 }
@@ -180,7 +181,7 @@ Result<Plan> WalkPlanner::replan(const Plan& current, std::size_t frame, const S
   const bool holds =
       allArrive(current) && askedAlike(current, options) && stillHolds(current, frame, scene, floor);
   if (holds && nothingFreed(current, scene)) return keptIn(scene, current);
-  const Prepared prepared{*library_, tables_, feet_, sources_};
+  const Prepared prepared{*library_, tables_, feet_, sources_, *paces_};
   Plan other = Crowd(prepared, scene, floor, options).run(&current, frame);
   const bool worthTurning =
       allArrive(other) && metresLeft(other, frame) <= (1.0 - kWorthTurning) * metresLeft(current, frame);
