@@ -2,14 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace stridegraph {
 namespace {
 
 constexpr double kOffPaceMetresPerSecond = 0.05;
 
+/// Who is too slow pays the more the farther behind, up to this much.
+constexpr double kGradedMetresPerSecond = 0.25;
+
 /// A second against the pace asked for is worth this many metres of detour,
 constexpr double kPerSecond = 1.5;
+/// getting going from a stand takes no longer than this,
+constexpr double kGoingSeconds = 3.0;
 /// a metre in an area to avoid so many more,
 constexpr double kAvoidPerMetre = 4.0;
 /// and a metre outside of all preferred areas so many.
@@ -19,22 +25,56 @@ bool contains(const Rectangle& rectangle, const Vec2& point) {
   return ((point - rectangle.centre).cwiseAbs() - 0.5 * rectangle.size).maxCoeff() <= 0.0;
 }
 
+/// By how much a speed is below and above what is asked for and let pass, metres per second; negative where
+/// it is not.
+struct OffPace {
+  double tooSlow = 0.0;
+  double tooFast = 0.0;
+};
+
+OffPace offPace(const WalkConstraints& constraints, double metresPerSecond) {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  if (constraints.gait) (*constraints.gait == Gait::kRun ? low : high) = kRunMetresPerSecond;
+  if (const auto& least = constraints.minSpeedMetresPerSecond)
+    low = std::max(low, *least - kOffPaceMetresPerSecond);
+  if (const auto& most = constraints.maxSpeedMetresPerSecond)
+    high = std::min(high, *most + kOffPaceMetresPerSecond);
+  return {low - metresPerSecond, metresPerSecond - high};
+}
+
 }  // namespace
 
 bool keepsTo(const WalkConstraints& constraints, double metresPerSecond) {
-  if (constraints.gait && (metresPerSecond > kRunMetresPerSecond) != (*constraints.gait == Gait::kRun))
-    return false;
-  if (constraints.minSpeedMetresPerSecond &&
-      metresPerSecond < *constraints.minSpeedMetresPerSecond - kOffPaceMetresPerSecond)
-    return false;
-  return !constraints.maxSpeedMetresPerSecond ||
-         metresPerSecond <= *constraints.maxSpeedMetresPerSecond + kOffPaceMetresPerSecond;
+  const OffPace off = offPace(constraints, metresPerSecond);
+  return off.tooSlow <= 0.0 && off.tooFast <= 0.0;
+}
+
+double ConstraintCost::perSecondAt(double metresPerSecond) const {
+  const OffPace off = offPace(constraints_, metresPerSecond);
+  if (off.tooFast > 0.0) return kPerSecond;
+  return kPerSecond * std::clamp(off.tooSlow / kGradedMetresPerSecond, 0.0, 1.0);
 }
 
 double ConstraintCost::ofPace(const SearchEdge& way) const {
   if (way.sampleCount == 0) return 0.0;
   const double seconds = static_cast<double>(way.sampleCount) / framesPerSecond_;
-  return keepsTo(constraints_, way.lengthMetres / seconds) ? 0.0 : kPerSecond * seconds;
+  return perSecondAt(way.lengthMetres / seconds) * seconds;
+}
+
+double ConstraintCost::ofPace(const SearchTables& tables, std::uint32_t arrival) const {
+  double price = 0.0;
+  while (arrival != Arrival::kNone) {
+    const Arrival& at = tables.arrivals[arrival];
+    const SearchEdge& way = tables.graph.edges()[at.edge];
+    price += (at.next == Arrival::kNone ? settledShare(way) : 1.0) * ofPace(way);
+    arrival = at.next;
+  }
+  return price;
+}
+
+double ConstraintCost::ofMovingStart() const {
+  return kGoingSeconds * perSecondAt(0.0);
 }
 
 double ConstraintCost::perMetreAt(const Vec2& point) const {

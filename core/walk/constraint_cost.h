@@ -4,7 +4,7 @@
 
 #include "math/floor_transform.h"
 #include "scene/scene.h"
-#include "walk/search_graph.h"
+#include "walk/search_tables.h"
 
 namespace stridegraph {
 
@@ -15,6 +15,11 @@ inline constexpr double kRunMetresPerSecond = 1.9;
 /// Whether going at a speed keeps to the gait and speeds asked for; by up to 0.05 m/s off it does.
 bool keepsTo(const WalkConstraints& constraints, double metresPerSecond);
 
+/// The share of a way that is gone when the body has come to a stand, where it does.
+inline double settledShare(const SearchEdge& way) {
+  return static_cast<double>(way.settledSample + 1) / static_cast<double>(way.sampleCount);
+}
+
 /// What it costs a walk to go against what the scene asks for (constraints at run time, Alankus 2005,
 /// 4.2.2): wishes that are paid for, so that a walk keeps to them wherever it can and still arrives where it
 /// cannot, say while it starts and stops. Metres of cost. Borrows the constraints.
@@ -23,8 +28,15 @@ class ConstraintCost {
   ConstraintCost(const WalkConstraints& constraints, double framesPerSecond)
       : constraints_(constraints), framesPerSecond_(framesPerSecond) {}
 
-  /// Of going a way too fast, too slowly, or in another gait.
+  /// Of a second at a speed that is too fast, too slow, or of another gait.
+  double perSecondAt(double metresPerSecond) const;
+  /// Of going a way at such a speed.
   double ofPace(const SearchEdge& way) const;
+  /// The same of one of the tables' arrivals.
+  double ofPace(const SearchTables& tables, std::uint32_t arrival) const;
+  /// Of beginning in motion where a walk could from a stand: more than getting going takes, since to keep a
+  /// pace from the first frame on is no reason for it.
+  double ofMovingStart() const;
   /// Of where the samples of a way lead, seen from a placement.
   double ofPlaces(const FloorTransform& from, std::span<const Eigen::Vector2f> samples) const;
   /// How much more a metre costs at a place, 0 or more; nothing where no area says otherwise.

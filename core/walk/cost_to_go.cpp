@@ -25,8 +25,10 @@ constexpr double kTurnMetresPerRadian = 0.15;
 
 }  // namespace
 
-CostToGo::CostToGo(const SteeringTable& steering, const DistanceField& field, const Vec2& roomSize)
+CostToGo::CostToGo(const SteeringTable& steering, const DistanceField& field, const Vec2& roomSize,
+                   const PaceTable* pace)
     : steering_(steering),
+      pace_(pace),
       field_(field),
       pitchMetres_(2.0 * field.cellMetres()),
       columns_(static_cast<std::size_t>(roomSize.x() / pitchMetres_) + 2),
@@ -156,14 +158,25 @@ double CostToGo::estimate(std::uint32_t node, const FloorTransform& placement) {
   const std::optional<Prospect> at = prospectAt(placement.translation);
   // In a gap that no post stands in, the bare way has to do.
   if (!at) return field_.metresToGoal(placement.translation);
+  const double usual = along(steering_, node, placement.heading, *at);
+  if (pace_ == nullptr) return usual;
+  const double kept = along(pace_->steering, node, placement.heading, *at);
+  const double unhurried = usual + pace_->unhurriedPerMetre * double{at->metres};
+  if (!comesToStand_) return std::min(kept, unhurried);
+  return std::max(std::min(kept + pace_->stopMetres, unhurried + pace_->unhurriedStopMetres),
+                  pace_->standMetres[node]);
+}
+
+/// What is left from a place where a table holds all along.
+double CostToGo::along(const SteeringTable& steering, std::uint32_t node, const Heading& facing,
+                       const Prospect& at) {
   const double straight =
-      steering_.costPerMetre() * double{at->metres} + kTurnMetresPerRadian * double{at->turnedRadians};
-  const double sin = double{at->sin};
-  const double cos = double{at->cos};
+      steering.costPerMetre() * double{at.metres} + kTurnMetresPerRadian * double{at.turnedRadians};
+  const double sin = double{at.sin};
+  const double cos = double{at.cos};
   if (sin * sin + cos * cos < kLeastDirection * kLeastDirection) return straight;
   // As a difference of headings, but not brought to unit length, which the table does not need.
-  const Heading& facing = placement.heading;
-  return straight + steering_.extraMetres(
+  return straight + steering.extraMetres(
                         node, {sin * facing.cos - cos * facing.sin, cos * facing.cos + sin * facing.sin});
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "path/distance_field.h"
+#include "walk/pace_tables.h"
 #include "walk/steering.h"
 
 namespace stridegraph {
@@ -17,12 +18,18 @@ namespace stridegraph {
 /// of a grid over the floor, and read between them; answers do not depend on the order of the questions.
 class CostToGo {
  public:
-  CostToGo(const SteeringTable& steering, const DistanceField& field, const Vec2& roomSize);
+  /// `pace`: of who is asked for one; null for all others.
+  CostToGo(const SteeringTable& steering, const DistanceField& field, const Vec2& roomSize,
+           const PaceTable* pace = nullptr);
 
   /// Metres; infinite where the goal cannot be reached. With what was learned.
   double metres(std::uint32_t node, const FloorTransform& placement);
   /// The same without what was learned.
   double estimate(std::uint32_t node, const FloorTransform& placement);
+
+  /// Whether the walk is to end with a stand, which matters to who has to give up a pace for it; not at
+  /// first.
+  void comeToStand(bool stand) { comesToStand_ = stand; }
 
   /// By how much the estimate was wrong for a walk that was found, at a distance from the goal.
   struct Mark {
@@ -48,6 +55,8 @@ class CostToGo {
     enum : std::uint8_t { kUnknown, kOpen, kKnown, kClosed } state = kUnknown;
   };
 
+  static double along(const SteeringTable& steering, std::uint32_t node, const Heading& facing,
+                      const Prospect& at);
   double learnedMetres(double metresToGoal) const;
   std::size_t nearestPost(const Vec2& point) const;
   Vec2 placeOf(std::size_t post) const;
@@ -57,6 +66,7 @@ class CostToGo {
   std::optional<Prospect> prospectAt(const Vec2& point);
 
   const SteeringTable& steering_;
+  const PaceTable* pace_;
   const DistanceField& field_;
   double pitchMetres_;
   std::size_t columns_, rows_;
@@ -64,6 +74,7 @@ class CostToGo {
   std::vector<std::size_t> trail_;
   std::vector<Mark> marks_;
   double trust_ = 0.0;
+  bool comesToStand_ = false;
 };
 
 }  // namespace stridegraph

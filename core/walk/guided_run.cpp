@@ -55,8 +55,10 @@ GuidedRun::GuidedRun(const MotionQuery& query, const GuidedSearchParams& params,
   const double framesPerSecond = query.library.frames.framesPerSecond;
   if (query.constraints->any()) {
     wishes_.emplace(*query.constraints, framesPerSecond);
-    if (const std::optional<double>& latest = query.constraints->latestArrivalSeconds)
+    if (const std::optional<double>& latest = query.constraints->latestArrivalSeconds) {
       lastFrame_ = static_cast<std::uint32_t>(*latest * framesPerSecond);
+      hurry_ = query.paces->hurry();
+    }
   }
   timed_ = lastFrame_ != kNone || (query.traffic != nullptr && !query.traffic->empty());
   if (!end.facing || !query.goal.heading) return;
@@ -171,7 +173,8 @@ void GuidedRun::beginMoving() {
 
 /// What beginning in motion counts for, metres.
 double GuidedRun::movingStartMetres() const {
-  return query_.standing && query_.tables.graph.canStartStanding() ? params_.cost.movingStart : 0.0;
+  if (!query_.standing || !query_.tables.graph.canStartStanding()) return 0.0;
+  return params_.cost.movingStart + (wishes_ ? wishes_->ofMovingStart() : 0.0);
 }
 
 /// About the least value of a state that a walk which begins in motion comes to first.
@@ -280,6 +283,7 @@ void GuidedRun::openArrival(std::uint32_t parent, const State& state) {
       State end = state;
       const double miss = (state.placement * arrival.end.translation - query_.goal.position).norm();
       end.cost += arrival.costMetres + kMissCost * miss;
+      if (wishes_) end.cost += wishes_->ofPace(query_.tables, id);
       end.node = kNone;
       end.via = nullptr;
       end.parent = parent;
@@ -355,19 +359,24 @@ double GuidedRun::seededShare(const SearchEdge& edge) const {
   return static_cast<double>(mixed >> 40U) * 0x1.0p-24;
 }
 
-/// Whether not even the library's fastest way, straight on along the disc's way, would be there in time.
-bool GuidedRun::isTooLate(const State& state) const {
-  const double metres = (query_.goal.position - state.placement.translation).norm() - end_.radiusMetres;
-  const double frames = metres / query_.tables.graph.fastestMetresPerFrame();
-  return static_cast<double>(state.frame) + frames > static_cast<double>(lastFrame_);
+/// Whether not even the library's fastest walk, along the disc's way, would be there in time.
+bool GuidedRun::isTooLate(const State& state) {
+  const Vec2& at = state.placement.translation;
+  // Where areas make metres count for more, the field does not tell them.
+  const double way =
+      query_.constraints->areas.empty() ? field_.metresToGoal(at) : (query_.goal.position - at).norm();
+  const double metres = std::max(way - end_.radiusMetres, 0.0);
+  const double framesPerSecond = query_.library.frames.framesPerSecond;
+  const double frame = state.frame + framesPerSecond * hurry_->secondsTo(state.node, metres, end_.standing);
+  if (frame <= static_cast<double>(lastFrame_)) return false;
+  ++trouble_.tooLate;
+  trouble_.soonestSeconds = std::min(trouble_.soonestSeconds, frame / framesPerSecond);
+  return true;
 }
 
 double GuidedRun::costToGo(const State& state) {
   const double toGo = costToGo_.metres(state.node, state.placement);
-  if (lastFrame_ != kNone && isTooLate(state)) {
-    ++trouble_.tooLate;
-    return std::numeric_limits<double>::infinity();
-  }
+  if (lastFrame_ != kNone && isTooLate(state)) return std::numeric_limits<double>::infinity();
   return end_.standing ? std::max(toGo, query_.tables.arrivals.leastMetres(state.node)) : toGo;
 }
 

@@ -87,7 +87,7 @@ class GuidedRun {
   double costOf(const FloorTransform& from, const SearchEdge& edge) const;
   double seededShare(const SearchEdge& edge) const;
   double costToGo(const State& state);
-  bool isTooLate(const State& state) const;
+  bool isTooLate(const State& state);
   std::uint64_t key(const State& state) const;
   bool outOfTime(std::uint64_t expansions) const;
   MotionPath pathTo(std::uint32_t id, std::uint32_t from) const;
@@ -112,7 +112,8 @@ class GuidedRun {
   bool movingBegun_ = false;     ///< from a stand only or also in motion.
   double weight_ = 1.0;
   double costBound_ = 0.0;
-  std::uint32_t lastFrame_ = kNone;  ///< The walk has to be over by then.
+  std::uint32_t lastFrame_ = kNone;     ///< The walk has to be over by then.
+  std::shared_ptr<const Hurry> hurry_;  ///< Where there is a last frame.
   bool leftBehind_ = false;
   bool timed_ = false;  ///< States at different times differ.
   SearchTrouble trouble_;

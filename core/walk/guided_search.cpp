@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -76,6 +77,13 @@ std::string explain(SearchStatus status, const SearchTrouble& trouble, const Mot
 /// Who has to be faster than this on average to be there in time had better be so all the way.
 constexpr double kEasyMetresPerSecond = 1.0;
 
+/// What getting going and coming to a stand take more than going on.
+constexpr double kStartAndStopSeconds = 2.0;
+
+/// Paces that it takes to be there in time are rounded up to multiples of this, metres per second, so that
+/// few differ.
+constexpr double kPaceStep = 0.1;
+
 /// What the scene asks for, with the pace that it takes to be there in time. Paths are no longer than their
 /// polyline.
 WalkConstraints wishesOf(const MotionQuery& query) {
@@ -84,23 +92,25 @@ WalkConstraints wishesOf(const MotionQuery& query) {
   if (!wishes.latestArrivalSeconds || wishes.minSpeedMetresPerSecond) return wishes;
   const double begun = query.onward ? query.onward->frame / query.library.frames.framesPerSecond : 0.0;
   const double left = *wishes.latestArrivalSeconds - begun;
-  const double needed = left > 0.0 ? polylineLength(query.path) / left : 0.0;
+  const double going = std::max(left - kStartAndStopSeconds, 0.5 * left);
+  const double needed =
+      left > 0.0 ? std::ceil(polylineLength(query.path) / going / kPaceStep) * kPaceStep : 0.0;
   if (needed <= kEasyMetresPerSecond) return wishes;
   wishes.minSpeedMetresPerSecond = std::min(needed, wishes.maxSpeedMetresPerSecond.value_or(needed));
   return wishes;
 }
 
 /// The query with other wishes, which have to outlive it.
-MotionQuery withWishes(MotionQuery query, const WalkConstraints& wishes) {
+MotionQuery withWishes(MotionQuery query, const WalkConstraints& wishes, PaceTables& paces) {
   query.constraints = &wishes;
+  if (query.paces == nullptr) query.paces = &paces;
   return query;
 }
 
-/// A steering table for who is asked for a pace, since it changes what every way costs.
-std::shared_ptr<const SteeringTable> steeringUnlessUsual(const MotionQuery& query) {
+/// What walks cost who is asked for a pace, which changes it for every way.
+std::shared_ptr<const PaceTable> paceUnlessUsual(const MotionQuery& query) {
   if (!query.constraints->asksForPace()) return nullptr;
-  if (query.paces != nullptr) return query.paces->steering(*query.constraints);
-  return PaceTables(query.tables.graph, query.library.frames.framesPerSecond).steering(*query.constraints);
+  return query.paces->of(*query.constraints);
 }
 
 /// A field of the query's own where none is known, or where areas make some metres count for more.
@@ -124,22 +134,24 @@ class Cascade {
  public:
   Cascade(const MotionQuery& query, const GuidedSearchParams& params)
       : wishes_(wishesOf(query)),
-        query_(withWishes(query, wishes_)),
+        ownPaces_(query.tables.graph, query.tables.steering, query.library.frames.framesPerSecond),
+        query_(withWishes(query, wishes_, ownPaces_)),
         params_(params),
-        ownSteering_(steeringUnlessUsual(query_)),
-        steering_(ownSteering_ ? *ownSteering_ : query.tables.steering),
-        ownField_(fieldUnlessKnown(query_, steering_)),
+        pace_(paceUnlessUsual(query_)),
+        ownField_(fieldUnlessKnown(query_, pace_ ? pace_->steering : query.tables.steering)),
         field_(ownField_ ? *ownField_ : *query.field),
-        costToGo_(steering_, field_, {query.plan.widthMetres(), query.plan.depthMetres()}) {}
+        costToGo_(query.tables.steering, field_, {query.plan.widthMetres(), query.plan.depthMetres()},
+                  pace_.get()) {}
 
   MotionResult run() {
     MotionResult result;
     for (const WalkEnd& end : ends()) {
+      costToGo_.comeToStand(end.standing);
       result = seek(end);
       if (result.status == SearchStatus::kArrived) improve(result, end);
       if (result.status == SearchStatus::kArrived || outOfTime()) break;
-      // Who does not even come near the goal finds no other end there either.
-      if (trouble_.metresLeft > kNearMetres) break;
+      // Who does not even come near the goal finds no other end there either, unless that took too long.
+      if (trouble_.metresLeft > kNearMetres && trouble_.tooLate == 0) break;
     }
     result.expansions = expansions_;
     if (result.status != SearchStatus::kArrived)
@@ -215,11 +227,11 @@ class Cascade {
   bool outOfTime() const { return query_.outOfTime && query_.outOfTime(); }
 
   WalkConstraints wishes_;
+  PaceTables ownPaces_;
   MotionQuery query_;
   const GuidedSearchParams& params_;
   GuidedStage stage_;  ///< Tried last.
-  std::shared_ptr<const SteeringTable> ownSteering_;
-  const SteeringTable& steering_;
+  std::shared_ptr<const PaceTable> pace_;
   std::optional<DistanceField> ownField_;
   const DistanceField& field_;
   CostToGo costToGo_;

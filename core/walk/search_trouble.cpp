@@ -15,6 +15,7 @@ void SearchTrouble::add(const SearchTrouble& other) {
   }
   atTraffic += other.atTraffic;
   tooLate += other.tooLate;
+  soonestSeconds = std::min(soonestSeconds, other.soonestSeconds);
 }
 
 std::string nearestThing(const FloorPlan& plan, const Vec2& point) {
@@ -40,8 +41,10 @@ std::string nearestReached(const SearchTrouble& trouble, const FloorPlan& plan) 
 
 std::string explainNoMotion(const SearchTrouble& trouble, const FloorPlan& plan, const Vec2& start) {
   if (!trouble.begun && trouble.tooLate > 0)
-    return "the goal is too far to be there in the time asked for: not even this library's fastest way "
-           "straight on would do";
+    return fmt::format(
+        "the goal is too far to be there in the time asked for: the fastest walk that these clips can make "
+        "would take about {:.1f} s",
+        trouble.soonestSeconds);
   if (!trouble.begun) {
     const bool still = !plan.isFree(trouble.blocked);
     return fmt::format(
@@ -49,7 +52,9 @@ std::string explainNoMotion(const SearchTrouble& trouble, const FloorPlan& plan,
         start.x(), start.y(), still ? nearestThing(plan, trouble.blocked) : "something that moves");
   }
   std::string text = "no walk that these clips can make leads through: " + nearestReached(trouble, plan);
-  if (trouble.tooLate > 0) text += "; other ways would have come too late";
+  if (trouble.tooLate > 0)
+    text +=
+        fmt::format("; other ways would have come too late, after {:.1f} s or more", trouble.soonestSeconds);
   if (trouble.atTraffic > 0) text += "; others met something that moves";
   return text + "; more clips, tighter turns or a mirrored library would help";
 }

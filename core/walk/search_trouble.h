@@ -15,7 +15,8 @@ struct SearchTrouble {
   Vec2 nearest = Vec2::Zero();  ///< Of the places reached the one from which the least way was left,
   double metresLeft = std::numeric_limits<double>::infinity();  ///< and how much.
   std::uint64_t atTraffic = 0;  ///< Ways not gone since something that moves was there,
-  std::uint64_t tooLate = 0;    ///< or since the goal could not have been reached in time.
+  std::uint64_t tooLate = 0;    ///< or since the goal could not have been reached in time,
+  double soonestSeconds = std::numeric_limits<double>::infinity();  ///< but after about so long at best.
 
   /// Takes in what another run of the same search saw.
   void add(const SearchTrouble& other);

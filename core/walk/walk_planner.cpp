@@ -157,7 +157,7 @@ class Crowd {
 WalkPlanner::WalkPlanner(std::shared_ptr<const MotionLibrary> library)
     : library_(std::move(library)),
       tables_(*library_),
-      paces_(std::make_unique<PaceTables>(tables_.graph, library_->frames.framesPerSecond)),
+      paces_(std::make_unique<PaceTables>(tables_.graph, tables_.steering, library_->frames.framesPerSecond)),
       feet_(*library_),
       sources_(sourceFigures(*library_)) {}
 

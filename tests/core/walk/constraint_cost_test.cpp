@@ -42,6 +42,27 @@ TEST(ConstraintCost, chargesSpeedsOutsideOfTheRange) {
   EXPECT_FALSE(keepsTo(constraints, 0.7));
 }
 
+TEST(ConstraintCost, chargesWhoIsTooSlowTheMoreTheFartherBehindUpToAPrice) {
+  WalkConstraints constraints;
+  constraints.gait = Gait::kRun;
+  const ConstraintCost cost(constraints, kFramesPerSecond);
+  EXPECT_EQ(cost.perSecondAt(kRunMetresPerSecond + 0.01), 0.0);
+  EXPECT_GT(cost.perSecondAt(1.85), 0.0);
+  EXPECT_GT(cost.perSecondAt(1.75), cost.perSecondAt(1.85));
+  EXPECT_GT(cost.perSecondAt(1.3), cost.perSecondAt(1.75));
+  EXPECT_EQ(cost.perSecondAt(0.0), cost.perSecondAt(1.3));
+}
+
+TEST(ConstraintCost, makesABeginningInMotionDearWhereAStandIsTooSlow) {
+  WalkConstraints run;
+  run.gait = Gait::kRun;
+  WalkConstraints walk;
+  walk.gait = Gait::kWalk;
+  EXPECT_GE(ConstraintCost(run, kFramesPerSecond).ofMovingStart(),
+            2.0 * ConstraintCost(run, kFramesPerSecond).perSecondAt(0.0));
+  EXPECT_EQ(ConstraintCost(walk, kFramesPerSecond).ofMovingStart(), 0.0);
+}
+
 TEST(ConstraintCost, chargesMetresInAreasToAvoidAndOutsideOfPreferredOnes) {
   WalkConstraints constraints;
   constraints.areas = {{{{5, 5}, {2, 2}}, AreaKind::kAvoid}, {{{9, 5}, {2, 2}}, AreaKind::kPrefer}};

@@ -117,6 +117,66 @@ TEST(Crowd, walksWhereItMayNotRunAndTellsHowWellItKeepsToIt) {
   EXPECT_LT(run.report.durationSeconds, walk.report.durationSeconds);
 }
 
+/// 34 m straight on.
+Scene longHall() {
+  Scene scene = hall();
+  scene.widthMetres = 40.0;
+  scene.start.position = {3.0, 6.0};
+  scene.goal.position = {37.0, 6.0};
+  return scene;
+}
+
+TEST(Crowd, runsALongHallFromAStandToAStand) {
+  Scene scene = longHall();
+  scene.constraints.gait = Gait::kRun;
+  const Plan run = planned(scene);
+  ASSERT_EQ(run.report.status, PlanStatus::kArrived) << run.report.explanation;
+  EXPECT_TRUE(run.report.startsStanding);
+  EXPECT_TRUE(run.report.endsStanding);
+  EXPECT_LT(run.report.motionLengthMetres, 34.7);
+  // Getting going and stopping take some five seconds, in which these clips cannot run.
+  EXPECT_GT(*run.report.constraintsKept, 0.68);
+  EXPECT_LT(run.report.expansions, 4000U);
+  PlanOptions flyingStart;
+  flyingStart.standing = false;
+  const Plan flying = planned(scene, flyingStart);
+  EXPECT_GT(*flying.report.constraintsKept, 0.9);
+}
+
+TEST(Crowd, hurriesFromAStandToAStandToBeThereInTime) {
+  Scene scene = longHall();
+  for (const double seconds : {16.5, 18.0, 20.0}) {
+    scene.constraints.latestArrivalSeconds = seconds;
+    const Plan plan = planned(scene);
+    ASSERT_EQ(plan.report.status, PlanStatus::kArrived) << plan.report.explanation;
+    EXPECT_LE(plan.report.durationSeconds, seconds);
+    EXPECT_TRUE(plan.report.startsStanding && plan.report.endsStanding) << seconds;
+    EXPECT_LT(plan.report.expansions, 4000U);
+  }
+}
+
+TEST(Crowd, saysAtOnceHowLongItWouldTakeWhereTheTimeIsTooShort) {
+  Scene scene = longHall();
+  scene.constraints.latestArrivalSeconds = 9.0;
+  const Plan plan = planned(scene);
+  EXPECT_EQ(plan.report.status, PlanStatus::kNoMotion);
+  EXPECT_LT(plan.report.expansions, 100U);
+  EXPECT_NE(plan.report.explanation.find("would take about 11."), std::string::npos)
+      << plan.report.explanation;
+}
+
+TEST(Crowd, plansTheSameWalkWhateverWasAskedForBefore) {
+  Scene scene = longHall();
+  scene.constraints.gait = Gait::kRun;
+  const Plan before = planned(scene);
+  Scene other = longHall();
+  for (const double speed : {0.9, 1.0, 1.1, 1.2, 1.3, 1.4, 1.5, 1.6, 1.7}) {
+    other.constraints.minSpeedMetresPerSecond = speed;
+    EXPECT_EQ(planned(other).report.status, PlanStatus::kArrived);
+  }
+  EXPECT_EQ(planned(scene).report.edges, before.report.edges);
+}
+
 TEST(Crowd, isThereInTimeOrSaysThatItCannotBe) {
   Scene scene = hall();
   scene.constraints.gait = Gait::kWalk;
