@@ -123,6 +123,12 @@ export interface PlanReport {
   edges: [number, number][]
   /** Smallest distance of the disc's rim to anything along the walk. */
   clearance_m: number
+  /** Likewise to anything that moves; missing where nothing does. */
+  moving_clearance_m?: number
+  /** When something that moves first touches the body where it stands at the end; missing where nothing does. */
+  goal_free_until_s?: number
+  /** Share of the walk that keeps to the gait and speed asked for; missing where none is. */
+  constraints_kept?: number
   foot_skate_cm_s: number
   /** The same of the clips that the library is made of. */
   foot_skate_source_cm_s: number

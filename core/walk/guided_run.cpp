@@ -255,7 +255,9 @@ bool GuidedRun::isOpen(std::uint32_t id) {
   if (state.via == nullptr) return true;
   bool free = false;
   if (state.isEnd()) {
-    free = isFree(state.placement, state.frame, *state.via, state.goalSample + 1);
+    const Eigen::Vector2f& last = query_.tables.graph.samplesOf(*state.via)[state.goalSample];
+    free = isFree(state.placement, state.frame, *state.via, state.goalSample + 1) &&
+           mayStay(state.placement * Vec2(last.cast<double>()), state.frame + state.goalSample + 1);
   } else {
     const std::uint32_t samples = state.via->sampleCount;
     const FloorTransform from = state.parent == kNone ? FloorTransform{query_.start.position, startOf_[id]}
@@ -331,10 +333,17 @@ bool GuidedRun::isFree(FloorTransform from, std::uint32_t frame, std::uint32_t a
     const SearchEdge& edge = query_.tables.graph.edges()[at.edge];
     const std::uint32_t samples = at.next == kNone ? edge.settledSample + 1 : edge.sampleCount;
     if (frame + samples > lastFrame_ || !isFree(from, frame, edge, samples)) return false;
-    from = from * edge.end;
+    from = from * (at.next == kNone ? edge.settledEnd : edge.end);
     frame += samples;
   }
-  return true;
+  return mayStay(from.translation, frame);
+}
+
+/// Whether nobody who walks comes to a place where this one stands from a frame on.
+bool GuidedRun::mayStay(const Vec2& place, std::uint32_t frame) {
+  if (query_.traffic == nullptr || query_.traffic->staysClearOfBodies(place, frame)) return true;
+  ++trouble_.atTraffic;
+  return false;
 }
 
 bool GuidedRun::facesGoal(const Heading& heading) const {

@@ -83,6 +83,7 @@ class GuidedRun {
   bool isOpen(std::uint32_t id);
   bool isFree(const FloorTransform& from, std::uint32_t frame, const SearchEdge& edge, std::uint32_t samples);
   bool isFree(FloorTransform from, std::uint32_t frame, std::uint32_t arrival);
+  bool mayStay(const Vec2& place, std::uint32_t frame);
   bool facesGoal(const Heading& heading) const;
   double costOf(const FloorTransform& from, const SearchEdge& edge) const;
   double seededShare(const SearchEdge& edge) const;

@@ -98,6 +98,9 @@ struct PlanReport {
   double bentShare = 0.0;                    ///< Share of the walk's frames that are bent (bentStep).
   /// Smallest distance of the disc's rim from anything that moves, metres; not set where nothing does.
   std::optional<double> movingClearanceMetres;
+  /// When something that moves along a track first touches the body where it stands at the walk's end,
+  /// seconds after the walk's beginning; not set where nothing ever does.
+  std::optional<double> goalFreeUntilSeconds;
   /// Share of the walk that keeps to the scene's gait and speed; not set where it asks for none.
   std::optional<double> constraintsKept;
   bool startsStanding = false;

@@ -83,6 +83,10 @@ void measureScene(const FinishedWalk& done, PlanReport& report) {
       least = std::min(least, done.traffic.clearance({root.x(), root.z()}, static_cast<std::uint32_t>(f)));
     }
     report.movingClearanceMetres = least;
+    const Vec3& last = done.walk.rootPositions.back();
+    const auto end = static_cast<std::uint32_t>(done.walk.frameCount() - 1);
+    if (const auto touched = done.traffic.touchedFrom({last.x(), last.z()}, end))
+      report.goalFreeUntilSeconds = *touched / done.walk.framesPerSecond;
   }
   const WalkConstraints& constraints = done.scene.constraints;
   if (constraints.asksForPace()) report.constraintsKept = paceKept(constraints, done.walk);
@@ -99,6 +103,9 @@ std::string caveats(const FinishedWalk& done, const PlanReport& report) {
   if (report.movingClearanceMetres && *report.movingClearanceMetres < 0.0)
     sentences.push_back(
         fmt::format("it comes {:.2f} m into something that moves", -*report.movingClearanceMetres));
+  if (report.goalFreeUntilSeconds)
+    sentences.push_back(fmt::format("it can stand there until {:.1f} s, when something that moves comes by",
+                                    *report.goalFreeUntilSeconds));
   if (report.constraintsKept && *report.constraintsKept < kMostlyKept)
     sentences.push_back(fmt::format("it keeps to the gait and speed asked for only {:.0f} % of the time",
                                     100.0 * *report.constraintsKept));

@@ -62,6 +62,7 @@ nlohmann::ordered_json objectOf(const PlanReport& report) {
   json["edges"] = std::move(edges);
   json["clearance_m"] = report.clearanceMetres;
   if (report.movingClearanceMetres) json["moving_clearance_m"] = *report.movingClearanceMetres;
+  if (report.goalFreeUntilSeconds) json["goal_free_until_s"] = *report.goalFreeUntilSeconds;
   if (report.constraintsKept) json["constraints_kept"] = *report.constraintsKept;
   addQuality(report, json);
   json["arrival_error_m"] = report.arrivalErrorMetres;

@@ -124,8 +124,26 @@ class Planning {
     plan_.report.pathMilliseconds = watch.elapsed();
   }
 
+  /// Who is at the goal whenever the walk could end there, in words; nothing where nobody is.
+  std::string takenBy() const {
+    const double near = Traffic::kMarginMetres - options_.goalRadiusMetres;
+    if (!task_.traffic.staysClearOfBodies(task_.goal.position, Traffic::kInTheEnd, near))
+      return "another walker stays at the goal";
+    const double metres = (task_.goal.position - start_.position).norm() - options_.goalRadiusMetres;
+    const double frames = std::max(metres, 0.0) / prepared_.tables.graph.fastestMetresPerFrame();
+    const std::uint32_t begun = turn_ ? turn_->onward.frame : 0;
+    if (!task_.traffic.isNeverFree(task_.goal.position, near, begun + static_cast<std::uint32_t>(frames)))
+      return {};
+    return "something that moves is at the goal whenever the walk could end there";
+  }
+
   MotionPath findMotion() {
     const Stopwatch watch(options_.clock);
+    if (options_.search == SearchKind::kGuided) plan_.report.explanation = takenBy();
+    if (!plan_.report.explanation.empty()) {
+      plan_.report.status = PlanStatus::kGoalBlocked;
+      return {};
+    }
     MotionQuery query{library_, prepared_.tables, task_.floor, start_, task_.goal};
     query.goalRadiusMetres = options_.goalRadiusMetres;
     query.goalTurn = kGoalTurn;
@@ -157,7 +175,9 @@ class Planning {
   /// The way bent to end at the goal, where that keeps it off everything; it begins at this frame.
   std::optional<BentWay> bent(std::span<const FloorTransform> way, std::uint32_t first) const {
     std::optional<BentWay> bent = bendToGoal(way, task_.goal, task_.floor);
-    if (bent && !task_.traffic.isFree(bent->placements, first)) return std::nullopt;
+    if (!bent || !task_.traffic.isFree(bent->placements, first)) return std::nullopt;
+    const auto end = static_cast<std::uint32_t>(first + bent->placements.size() - 1);
+    if (!task_.traffic.staysClearOfBodies(bent->placements.back().translation, end)) return std::nullopt;
     return bent;
   }
 

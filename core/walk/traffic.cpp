@@ -11,6 +11,9 @@ namespace {
 /// Places are worked out in blocks of so many frames.
 constexpr std::size_t kBlockFrames = 64;
 
+/// Tracks are followed no farther than this into the future of who stays at a place.
+constexpr double kForesightSeconds = 600.0;
+
 }  // namespace
 
 void Traffic::addObstacle(const MovingObstacle& obstacle) {
@@ -102,6 +105,56 @@ bool Traffic::isFree(std::span<const FloorTransform> way, std::uint32_t firstFra
     }
   }
   return true;
+}
+
+bool Traffic::staysClearOfBodies(const Vec2& place, std::uint32_t fromFrame, double metres) {
+  return std::all_of(movers_.begin(), movers_.end(), [&](Mover& mover) {
+    if (!mover.obstacle.track.empty() || mover.goneFrom != kForEver) return true;
+    return !nearerThan(metres, mover, place, fromFrame, allSeenAt(mover, fromFrame));
+  });
+}
+
+std::optional<std::uint32_t> Traffic::touchedFrom(const Vec2& place, std::uint32_t fromFrame) {
+  std::optional<std::uint32_t> first;
+  for (Mover& mover : movers_) {
+    if (mover.obstacle.track.empty()) continue;
+    const std::uint32_t until = std::min(allSeenAt(mover, fromFrame), first.value_or(kForEver));
+    if (const auto touch = nearerThan(0.0, mover, place, fromFrame, until)) first = touch;
+  }
+  return first;
+}
+
+bool Traffic::isNeverFree(const Vec2& place, double metres, std::uint32_t fromFrame) {
+  std::uint32_t until = fromFrame;
+  for (const Mover& mover : movers_) until = std::max(until, allSeenAt(mover, fromFrame));
+  for (std::uint32_t frame = fromFrame; frame <= until; ++frame)
+    if (clearance(place, frame) >= metres) return false;
+  return true;
+}
+
+/// The frame by which a mover has been everywhere where it will be from a frame on.
+std::uint32_t Traffic::allSeenAt(const Mover& mover, std::uint32_t fromFrame) const {
+  const std::vector<TrackPoint>& track = mover.obstacle.track;
+  if (track.empty()) return std::max(fromFrame, static_cast<std::uint32_t>(mover.way.size()));
+  const double period = track.back().seconds - track.front().seconds;
+  const double rounds = mover.obstacle.repeat == TrackRepeat::kPingPong ? 2.0 : 1.0;
+  const double from = std::max(fromFrame / framesPerSecond_, track.front().seconds);
+  const double until = std::min(from + rounds * period, fromFrame / framesPerSecond_ + kForesightSeconds);
+  return static_cast<std::uint32_t>(std::ceil(until * framesPerSecond_));
+}
+
+/// The first of some frames at which a mover is nearer to a disc that stays; both frames count.
+std::optional<std::uint32_t> Traffic::nearerThan(double metres, Mover& mover, const Vec2& place,
+                                                 std::uint32_t fromFrame, std::uint32_t untilFrame) const {
+  for (std::uint32_t frame = fromFrame; frame <= untilFrame;) {
+    const double apart = distance(mover, place, frame) - metres;
+    if (apart < 0.0) return frame;
+    // It takes so long to come here.
+    const double frames = apart / std::max(mover.metresPerFrame, 1e-9);
+    if (frames > static_cast<double>(untilFrame - frame)) return std::nullopt;
+    frame += std::max<std::uint32_t>(1, static_cast<std::uint32_t>(frames));
+  }
+  return std::nullopt;
 }
 
 }  // namespace stridegraph

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -18,6 +19,8 @@ class Traffic {
   /// A body keeps this far from what moves, beyond what touches: between two frames both go on.
   static constexpr double kMarginMetres = 0.03;
   static constexpr std::uint32_t kForEver = std::numeric_limits<std::uint32_t>::max();
+  /// When all bodies stay where they are.
+  static constexpr std::uint32_t kInTheEnd = kForEver - 1;
 
   /// radiusMetres: of the disc that asks.
   Traffic(double radiusMetres, double framesPerSecond)
@@ -37,6 +40,14 @@ class Traffic {
   bool isFree(const FloorTransform& from, std::span<const Eigen::Vector2f> samples, std::uint32_t firstFrame);
   /// The same for a way in the room.
   bool isFree(std::span<const FloorTransform> way, std::uint32_t firstFrame);
+  /// Whether no body whose way is known to its end comes nearer than this to a disc that stays at a place
+  /// from a frame on, metres. Obstacles, most of which come again and again, are not asked.
+  bool staysClearOfBodies(const Vec2& place, std::uint32_t fromFrame, double metres = kMarginMetres);
+  /// The first frame, from one on, at which an obstacle touches a disc that stays at a place; nothing where
+  /// none does within once along its track and back, or ten minutes.
+  std::optional<std::uint32_t> touchedFrom(const Vec2& place, std::uint32_t fromFrame);
+  /// Whether something is nearer to a place than this at every frame from one on, metres.
+  bool isNeverFree(const Vec2& place, double metres, std::uint32_t fromFrame);
 
  private:
   /// A disc, or a rectangle that does not turn.
@@ -52,6 +63,9 @@ class Traffic {
 
   Vec2 placeOf(Mover& mover, std::uint32_t frame) const;
   void workOut(Mover& mover, std::uint32_t frame) const;
+  std::optional<std::uint32_t> nearerThan(double metres, Mover& mover, const Vec2& place,
+                                          std::uint32_t fromFrame, std::uint32_t untilFrame) const;
+  std::uint32_t allSeenAt(const Mover& mover, std::uint32_t fromFrame) const;
   double distance(Mover& mover, const Vec2& point, std::uint32_t frame) const;
 
   double radiusMetres_;

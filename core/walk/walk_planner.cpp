@@ -35,8 +35,11 @@ Result<void> checkOptions(const PlanOptions& options) {
 /// A walker who is not planned yet is taken to stay where it is for so many frames.
 constexpr std::uint32_t kUnplannedFrames = 30;
 
-/// Orders of priority tried when a walker finds no way.
+/// Orders of priority tried when a walker finds no way, or would be in another's at its goal.
 constexpr std::size_t kOrders = 6;
+
+/// Who walks is likely to be this fast on the whole.
+constexpr double kLikelyMetresPerSecond = 1.3;
 
 /// A walk that still holds is left for another only where that saves this share of what is left to go.
 constexpr double kWorthTurning = 0.03;
@@ -79,19 +82,22 @@ class Crowd {
     frame_ = frame;
     std::vector<std::size_t> order(walkers_.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    wentFirst_.assign(walkers_.size(), false);
     std::vector<Plan> best;
     std::size_t mostArrived = 0;
-    for (std::size_t attempt = 0; attempt < std::min(kOrders, walkers_.size() + 1); ++attempt) {
-      const std::optional<std::size_t> stuck = planInTurn(order);
+    const std::size_t attempts = std::min(kOrders, walkers_.size() + 1);
+    for (std::size_t attempt = 0; attempt < attempts; ++attempt) {
+      const std::optional<std::size_t> stuck = planInTurn(order, attempt < attempts / 2);
       const auto arrived = static_cast<std::size_t>(
           std::count_if(plans_.begin(), plans_.end(), [](const Plan& plan) { return hasArrived(plan); }));
-      if (best.empty() || arrived > mostArrived) {
+      if (!plans_.empty() && (best.empty() || arrived > mostArrived)) {
         mostArrived = arrived;
         best = std::move(plans_);
       }
       if (!stuck || *stuck == order.front()) break;
       order.erase(std::find(order.begin(), order.end(), *stuck));
       order.insert(order.begin(), *stuck);
+      wentFirst_[*stuck] = true;
     }
     Plan first = std::move(best.front());
     first.scene = scene_;
@@ -109,8 +115,9 @@ class Crowd {
     return hasArrived(plan) ? &plan : nullptr;
   }
 
-  /// Plans all in an order of priority; returns the first one whom others leave no way.
-  std::optional<std::size_t> planInTurn(const std::vector<std::size_t>& order) {
+  /// Plans all in an order of priority; returns the first one whom others leave no way. Without any plans
+  /// where one had better go first, if that may be.
+  std::optional<std::size_t> planInTurn(const std::vector<std::size_t>& order, bool mayGoFirst) {
     plans_.assign(walkers_.size(), {});
     std::optional<std::size_t> stuck;
     for (std::size_t turn = 0; turn < order.size(); ++turn) {
@@ -118,6 +125,10 @@ class Crowd {
       Traffic traffic = obstacles_;
       for (std::size_t other = 0; other < order.size(); ++other)
         if (other != turn) meet(order[other], other < turn, traffic);
+      if (mayGoFirst && !wentFirst_[walker] && isInTheWay(walker, traffic)) {
+        plans_.clear();
+        return walker;
+      }
       const Walker& ends = walkers_[walker];
       const PlanTask task{floor_, ends.start, ends.goal, traffic, underWay(walker), frame_};
       plans_[walker] = planWalk(prepared_, scene_, options_, task);
@@ -125,6 +136,16 @@ class Crowd {
       if (!stuck && (status == PlanStatus::kNoMotion || status == PlanStatus::kBudgetSpent)) stuck = walker;
     }
     return stuck;
+  }
+
+  /// Whether others come over a walker's goal after it is likely to be there: they can go around who stands
+  /// there, but it would have to wait for them. Not where one of them stays there.
+  bool isInTheWay(std::size_t walker, Traffic& traffic) const {
+    const Walker& ends = walkers_[walker];
+    const double seconds = (ends.goal.position - ends.start.position).norm() / kLikelyMetresPerSecond;
+    const auto frames = static_cast<std::uint32_t>(seconds * prepared_.library.frames.framesPerSecond);
+    return !traffic.staysClearOfBodies(ends.goal.position, frames) &&
+           traffic.staysClearOfBodies(ends.goal.position, Traffic::kInTheEnd);
   }
 
   /// Adds another walker as what moves: its walk when it is planned, else where it is at first.
@@ -149,6 +170,7 @@ class Crowd {
   std::size_t frame_ = 0;
   Traffic obstacles_;
   std::vector<Walker> walkers_;
+  std::vector<bool> wentFirst_;  ///< Who has gone before all others once.
   std::vector<Plan> plans_;
 };
 

@@ -62,5 +62,15 @@ TEST(Playback, saysWhoDoesNotArrive) {
   EXPECT_TRUE(allArrive(*stateWithTwo(11, 31).plan));
 }
 
+TEST(Playback, saysWhatAWalkThatArrivesLeavesToBeWishedFor) {
+  AppState state = stateWithTwo(11, 31);
+  state.plan->others[0].report.explanation =
+      "it can stand there until 9.0 s, when something that moves comes by";
+  EXPECT_EQ(
+      statusSentence(state),
+      "All 2 walkers arrive, the last after 3.0 s. Walker 2: It can stand there until 9.0 s, when something "
+      "that moves comes by.");
+}
+
 }  // namespace
 }  // namespace stridegraph

@@ -42,14 +42,18 @@ std::string sentenceOf(std::string clause) {
   return clause;
 }
 
-/// What becomes of several walkers: the first that does not arrive, or when the last is there.
+/// What becomes of several walkers: the first that does not arrive, or when the last is there and what the
+/// first of whom there is something to say leaves to be wished for.
 std::string sentenceForAll(const AppState& state) {
+  std::string note;
   for (std::size_t walker = 0; const Plan* const each = state.planOf(walker); ++walker) {
-    if (each->report.status == PlanStatus::kArrived) continue;
-    return fmt::format("Walker {}: {}", walker + 1, sentenceOf(each->report.explanation));
+    const PlanReport& report = each->report;
+    const std::string said = fmt::format("Walker {}: {}", walker + 1, sentenceOf(report.explanation));
+    if (report.status != PlanStatus::kArrived) return said;
+    if (note.empty() && !report.explanation.empty()) note = said;
   }
-  return fmt::format("All {} walkers arrive, the last after {:.1f} s.", 1 + state.plan->others.size(),
-                     state.walkSeconds());
+  return fmt::format("All {} walkers arrive, the last after {:.1f} s.{}{}", 1 + state.plan->others.size(),
+                     state.walkSeconds(), note.empty() ? "" : " ", note);
 }
 
 }  // namespace

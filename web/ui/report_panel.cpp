@@ -37,6 +37,10 @@ void showFigures(const PlanReport& report, const Palette& palette) {
     figure("Walk", fmt::format("{:.2f} m", report.motionLengthMetres), palette);
     figure("Duration", fmt::format("{:.1f} s, {} frames", report.durationSeconds, report.frames), palette);
     figure("Clearance", fmt::format("{:.2f} m", report.clearanceMetres), palette);
+    if (report.movingClearanceMetres)
+      figure("From what moves", fmt::format("{:.2f} m", *report.movingClearanceMetres), palette);
+    if (report.goalFreeUntilSeconds)
+      figure("Goal free until", fmt::format("{:.1f} s", *report.goalFreeUntilSeconds), palette);
     figure("Transitions", fmt::format("{} of {} edges", report.transitions, report.edges.size()), palette);
   }
   figure("Expansions", fmt::format("{}", report.expansions), palette);

@@ -56,6 +56,86 @@ TEST(Crowd, passesAnObstacleThatCrossesTheOnlyGapWithoutTouchingIt) {
   EXPECT_NEAR(*plan.report.movingClearanceMetres, leastClearance(plan, scene.moving[0]), 1e-6);
 }
 
+/// A box of 1 m that is at the goal of hall() until a time, and gone three seconds later.
+MovingObstacle atTheGoalUntil(double seconds) {
+  return {{1.0, 1.0},
+          TrackRepeat::kOnce,
+          {{0.0, {14.0, 6.0}}, {seconds, {14.0, 6.0}}, {seconds + 3.0, {14.0, 1.0}}}};
+}
+
+TEST(Crowd, arrivesWhereAnObstacleStandsAtTheGoalOnlyAfterItHasGone) {
+  Scene scene = hall();
+  scene.moving = {atTheGoalUntil(15.0)};
+  const Plan plan = planned(scene);
+  ASSERT_EQ(plan.report.status, PlanStatus::kArrived) << plan.report.explanation;
+  EXPECT_GT(plan.report.durationSeconds, 15.0);
+  EXPECT_GT(leastClearance(plan, scene.moving[0]), 0.0);
+  EXPECT_FALSE(plan.report.goalFreeUntilSeconds);
+}
+
+TEST(Crowd, tellsUntilWhenTheGoalIsFreeWhereAnObstacleComesByLater) {
+  Scene scene = hall();
+  // Its edge reaches the rim of who stands at (14, 6) when its middle is at z = 5.1.
+  scene.moving = {
+      {{1.0, 1.0}, TrackRepeat::kOnce, {{0.0, {14.0, 1.0}}, {30.0, {14.0, 1.0}}, {40.0, {14.0, 11.0}}}}};
+  const Plan plan = planned(scene);
+  ASSERT_EQ(plan.report.status, PlanStatus::kArrived);
+  ASSERT_TRUE(plan.report.goalFreeUntilSeconds);
+  EXPECT_NEAR(*plan.report.goalFreeUntilSeconds, 34.1, 0.1);
+  EXPECT_NE(plan.report.explanation.find("until 34."), std::string::npos) << plan.report.explanation;
+  EXPECT_NE(toJson(plan).find("\"goal_free_until_s\": 34."), std::string::npos);
+  // It changes nothing else.
+  scene.moving.clear();
+  EXPECT_EQ(toJson(planned(scene)).find("goal_free_until_s"), std::string::npos);
+}
+
+TEST(Crowd, saysAtOnceThatAnObstacleStaysAtTheGoal) {
+  Scene scene = hall();
+  scene.moving = {{{1.0, 1.0}, TrackRepeat::kOnce, {{0.0, {14.0, 11.0}}, {3.0, {14.0, 6.0}}}}};
+  const Plan plan = planned(scene);
+  EXPECT_EQ(plan.report.status, PlanStatus::kGoalBlocked);
+  EXPECT_NE(plan.report.explanation.find("something that moves is at the goal"), std::string::npos);
+  EXPECT_EQ(plan.report.expansions, 0U);
+}
+
+/// The least distance between two walkers over all frames; who has arrived stands.
+double leastApart(const Plan& a, const Plan& b) {
+  double least = 1e9;
+  for (std::size_t f = 0; f < std::max(a.walk.frameCount(), b.walk.frameCount()); ++f)
+    least = std::min(least, (placeAt(a, f) - placeAt(b, f)).norm());
+  return least;
+}
+
+TEST(Crowd, goesAroundWhoHasArrived) {
+  Scene scene = hall();
+  scene.walkers = {{{{8.0, 3.0}, Angle::degrees(0.0)}, {{8.0, 6.0}, std::nullopt}}};
+  const Plan plan = planned(scene);
+  ASSERT_EQ(plan.report.status, PlanStatus::kArrived) << plan.report.explanation;
+  ASSERT_EQ(plan.others[0].report.status, PlanStatus::kArrived) << plan.others[0].report.explanation;
+  EXPECT_GT(leastApart(plan, plan.others[0]), 2.0 * kRadius);
+}
+
+TEST(Crowd, waitsForWhoComesByWhereThereIsNoWayAround) {
+  Scene scene = hall();
+  // The goal of the second walker is in a passage that is 1.4 m wide, which the first walker needs.
+  scene.obstacles = {{{8.0, 2.65}, {6.0, 5.3}}, {{8.0, 9.35}, {6.0, 5.3}}};
+  scene.start.position = {4.0, 6.0};
+  scene.walkers = {{{{2.0, 2.0}, Angle::degrees(0.0)}, {{6.0, 6.0}, std::nullopt}}};
+  const Plan plan = planned(scene);
+  ASSERT_EQ(plan.report.status, PlanStatus::kArrived) << plan.report.explanation;
+  ASSERT_EQ(plan.others[0].report.status, PlanStatus::kArrived) << plan.others[0].report.explanation;
+  EXPECT_GT(leastApart(plan, plan.others[0]), 2.0 * kRadius);
+}
+
+TEST(Crowd, saysThatAnotherWalkerStaysAtTheGoal) {
+  Scene scene = hall();
+  scene.walkers = {{{{8.0, 3.0}, Angle::degrees(0.0)}, scene.goal}};
+  const Plan plan = planned(scene);
+  EXPECT_EQ(plan.report.status, PlanStatus::kArrived);
+  EXPECT_EQ(plan.others[0].report.status, PlanStatus::kGoalBlocked);
+  EXPECT_EQ(plan.others[0].report.explanation, "another walker stays at the goal");
+}
+
 TEST(Crowd, crossesASquareWithoutAnyoneTouchingAnother) {
   Scene scene = hall();
   scene.depthMetres = 16.0;

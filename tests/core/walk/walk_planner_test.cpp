@@ -275,7 +275,7 @@ TEST(WalkPlanner, saysWhenTheThesisSearchRunsIntoWhatMoves) {
   EXPECT_NE(plan.report.explanation.find("into something that moves"), std::string::npos)
       << plan.report.explanation;
   options.search = SearchKind::kGuided;
-  EXPECT_EQ(planOf(scene, options).report.status, PlanStatus::kNoMotion);
+  EXPECT_EQ(planOf(scene, options).report.status, PlanStatus::kGoalBlocked);
 }
 
 TEST(WalkPlanner, refusesASceneThatIsOutOfRange) {
