@@ -98,11 +98,19 @@ export class AppBridge {
     return JSON.parse(this.#text('sgState'))
   }
 
-  /** The walk's bytes as 'bvh' or 'glb'; empty without a walk. */
-  walkFile(kind) {
-    const address = this.#app.ccall('sgWalkFile', 'number', ['number'], [kind === 'glb' ? 1 : 0])
-    const size = this.#app.ccall('sgWalkFileSize', 'number', [], [])
+  #file(name, types = [], values = []) {
+    const address = this.#app.ccall(name, 'number', types, values)
+    const size = this.#app.ccall('sgFileSize', 'number', [], [])
     return this.#app.HEAPU8.slice(address, address + size)
+  }
+
+  /** The bytes of a walker's walk as BVH, counted from 0; empty without a walk. */
+  walkBvh(walker) {
+    return this.#file('sgWalkBvh', ['number'], [walker])
+  }
+  /** The bytes of all walks as GLB; empty without any. */
+  walksGlb() {
+    return this.#file('sgWalksGlb')
   }
 
   say(text, problem = false) {

@@ -22,15 +22,25 @@ function download(bytes, name, type) {
   setTimeout(() => URL.revokeObjectURL(address), 10_000)
 }
 
-/** A file name made of the scene's name. */
-function fileName(bridge, extension) {
+/** A file name made of the scene's name and an ending. */
+function fileName(bridge, ending) {
   const name = bridge.state().scene.name || 'scene'
   return `${
     name
       .toLowerCase()
       .replace(/[^a-z0-9]+/g, '_')
       .replace(/^_+|_+$/g, '') || 'scene'
-  }.${extension}`
+  }${ending}`
+}
+
+/** BVH holds one body: further walkers' files follow, named as the program names them. */
+function downloadBvh(bridge) {
+  const count = 1 + (bridge.state().scene.walkers?.length ?? 0)
+  for (let walker = 0; walker < count; ++walker) {
+    const bytes = bridge.walkBvh(walker)
+    const ending = walker === 0 ? '.bvh' : `_${walker + 1}.bvh`
+    if (bytes.length > 0) download(bytes, fileName(bridge, ending), 'text/plain')
+  }
 }
 
 async function loadSamples(bridge) {
@@ -111,14 +121,12 @@ function connectFiles(bridge) {
     input.value = ''
   })
   by('save').addEventListener('click', () =>
-    download(bridge.sceneJson(), fileName(bridge, 'json'), 'application/json'),
+    download(bridge.sceneJson(), fileName(bridge, '.json'), 'application/json'),
   )
-  for (const kind of ['bvh', 'glb']) {
-    const type = kind === 'glb' ? 'model/gltf-binary' : 'text/plain'
-    by(`download-${kind}`).addEventListener('click', () =>
-      download(bridge.walkFile(kind), fileName(bridge, kind), type),
-    )
-  }
+  by('download-bvh').addEventListener('click', () => downloadBvh(bridge))
+  by('download-glb').addEventListener('click', () =>
+    download(bridge.walksGlb(), fileName(bridge, '.glb'), 'model/gltf-binary'),
+  )
   const main = document.querySelector('main')
   addEventListener('dragover', (event) => {
     event.preventDefault()
@@ -150,7 +158,7 @@ function connectTheme(bridge, dark) {
 function mirrorStatus(bridge) {
   bridge.onStatus = (sentence) => {
     by('status').textContent = sentence
-    const walks = bridge.state().plan?.status === 'arrived'
+    const walks = bridge.state().walk_seconds > 0
     by('download-bvh').disabled = !walks
     by('download-glb').disabled = !walks
   }

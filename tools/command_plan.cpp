@@ -47,14 +47,13 @@ Result<Plan> makePlan(const PlanArguments& arguments, std::shared_ptr<const Moti
   return WalkPlanner(library).plan(*scene, arguments.options);
 }
 
-Result<void> writeWalk(const std::string& path, const MotionLibrary& library, const Clip& walk) {
-  if (path.ends_with(".glb")) return writeFile(path, writeGlb(library.skeleton, walk));
-  return writeFile(path, writeBvh(library.skeleton, library.layout, walk));
+bool holdsAllWalks(const std::string& path) {
+  return path.ends_with(".glb");
 }
 
-/// WALK.bvh for the first walker, WALK_2.bvh, WALK_3.bvh ... for the others.
+/// WALK.bvh for the first walker, WALK_2.bvh, WALK_3.bvh ... for the others; WALK.glb for all.
 std::string walkPathOf(const std::string& path, std::size_t walker) {
-  if (walker == 0) return path;
+  if (walker == 0 || holdsAllWalks(path)) return path;
   const std::size_t ending = path.rfind('.');
   return fmt::format("{}_{}{}", path.substr(0, ending), walker + 1, path.substr(ending));
 }
@@ -70,13 +69,22 @@ bool arrived(const Plan& plan) {
   return plan.report.status == PlanStatus::kArrived;
 }
 
-Result<void> writeFiles(const PlanArguments& arguments, const MotionLibrary& library, const Plan& plan) {
+Result<void> writeWalks(const std::string& path, const MotionLibrary& library, const Plan& plan) {
   const std::vector<const Plan*> all = allOf(plan);
+  std::vector<const Clip*> together;
   for (std::size_t walker = 0; walker < all.size(); ++walker) {
     if (!arrived(*all[walker])) continue;
-    Result<void> written = writeWalk(walkPathOf(arguments.walkPath, walker), library, all[walker]->walk);
-    if (!written) return written;
+    together.push_back(&all[walker]->walk);
+    if (holdsAllWalks(path)) continue;
+    const std::string text = writeBvh(library.skeleton, library.layout, all[walker]->walk);
+    if (Result<void> written = writeFile(walkPathOf(path, walker), text); !written) return written;
   }
+  if (!holdsAllWalks(path) || together.empty()) return {};
+  return writeFile(path, writeGlb(library.skeleton, together));
+}
+
+Result<void> writeFiles(const PlanArguments& arguments, const MotionLibrary& library, const Plan& plan) {
+  if (Result<void> written = writeWalks(arguments.walkPath, library, plan); !written) return written;
   if (arguments.reportPath.empty()) return {};
   return writeFile(arguments.reportPath, toJson(plan) + "\n");
 }
@@ -125,7 +133,7 @@ void addPlanCommand(CLI::App& program, int& exitCode) {
   command->add_option("--scene", arguments->scenePath, "Scene (JSON)")->required();
   command
       ->add_option("-o,--output", arguments->walkPath,
-                   "Walk to write: .bvh or .glb; further walkers' as WALK_2.bvh, WALK_3.bvh ...")
+                   "Walk to write: .bvh, further walkers' as WALK_2.bvh, WALK_3.bvh ..., or .glb with all")
       ->required()
       ->check([](const std::string& path) {
         return path.ends_with(".bvh") || path.ends_with(".glb")

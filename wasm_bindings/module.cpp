@@ -98,7 +98,7 @@ EMSCRIPTEN_BINDINGS(stridegraph) {
       .function("framePairs", &BuilderHandle::framePairs)
       .function("finish", &BuilderHandle::finish);
   function("walkToBvh", &walkToBvh);
-  function("walkToGlb", &walkToGlb);
+  function("walksToGlb", &walksToGlb);
   function("encodeLink", &encode);
   function("decodeLink", &decode);
   function("errorCodes", &errorCodes);

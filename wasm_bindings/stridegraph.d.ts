@@ -190,7 +190,8 @@ export interface Walk {
   readonly blended: Uint8Array
   /** One for each frame: a bit for each entry of LibraryInfo.contactJoints that touches the floor. */
   readonly contacts: Uint8Array
-  /** x, z of every corner of the path from start to goal; empty when there is none. */
+  /** x, z of every corner of the path from start to goal; empty when there is none. In a scene with areas the way
+   * that heeds them. */
   readonly path: Float32Array
   /** x, z of every subgoal. */
   readonly subgoals: Float32Array
@@ -202,6 +203,9 @@ export interface Walk {
   toBvh(): string
   /** The walk as binary glTF 2.0. Throws unless arrived. */
   toGlb(): Uint8Array
+  /** The walks of this walker and of the others, as many as arrive, in one file: below nodes "walker_1", "walker_2",
+   * ..., moved by one animation. Of a single one the same as toGlb. Throws where nobody arrives. */
+  allToGlb(): Uint8Array
 }
 
 export interface LibraryInfo {

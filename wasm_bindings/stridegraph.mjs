@@ -115,7 +115,14 @@ class Walk {
 
   toGlb() {
     this.#mustHaveFrames()
-    return unpack(this.#module.walkToGlb(this.#skeleton, this.#motion))
+    return unpack(this.#module.walksToGlb(this.#skeleton, [this.#motion]))
+  }
+
+  allToGlb() {
+    const arrived = [this, ...this.others].filter(({ frames }) => frames > 0)
+    if (arrived.length === 0) this.#mustHaveFrames()
+    const motions = arrived.map((walk) => walk.#motion)
+    return unpack(this.#module.walksToGlb(this.#skeleton, motions))
   }
 
   #mustHaveFrames() {

@@ -80,48 +80,42 @@ Joint jointFrom(const val& value) {
   return joint;
 }
 
-/// What skeletonValue and planValue made, back in core's own types.
-struct ExportedWalk {
+/// What skeletonValue made, back in core's own types.
+struct ExportedSkeleton {
   Skeleton skeleton;
   BvhLayout layout;
-  Clip clip;
 };
 
-void readSkeleton(const val& value, ExportedWalk& walk) {
+ExportedSkeleton readSkeleton(const val& value) {
+  ExportedSkeleton exported;
   const auto joints = emscripten::vecFromJSArray<val>(value["joints"]);
   const auto channels = emscripten::vecFromJSArray<val>(value["channels"]);
   for (std::size_t i = 0; i < joints.size(); ++i) {
-    walk.skeleton.joints.push_back(jointFrom(joints[i]));
+    exported.skeleton.joints.push_back(jointFrom(joints[i]));
     std::vector<BvhChannel> channelsOfJoint;
     for (const int channel : emscripten::vecFromJSArray<int>(channels[i])) {
       channelsOfJoint.push_back(static_cast<BvhChannel>(channel));
     }
-    walk.layout.channels.push_back(std::move(channelsOfJoint));
+    exported.layout.channels.push_back(std::move(channelsOfJoint));
   }
-  walk.layout.endSiteNames = emscripten::vecFromJSArray<std::string>(value["endSiteNames"]);
-  walk.layout.unitsPerMetre = value["unitsPerMetre"].as<double>();
-  walk.layout.up = static_cast<UpAxis>(value["up"].as<int>());
+  exported.layout.endSiteNames = emscripten::vecFromJSArray<std::string>(value["endSiteNames"]);
+  exported.layout.unitsPerMetre = value["unitsPerMetre"].as<double>();
+  exported.layout.up = static_cast<UpAxis>(value["up"].as<int>());
+  return exported;
 }
 
-void readClip(const val& value, ExportedWalk& walk) {
+Clip readClip(const val& value, std::size_t jointCount) {
+  Clip clip;
   const auto roots = emscripten::convertJSArrayToNumberVector<double>(value["rootPositions"]);
   const auto rotations = emscripten::convertJSArrayToNumberVector<double>(value["rotations"]);
-  walk.clip.name = "walk";
-  walk.clip.framesPerSecond = value["fps"].as<double>();
-  walk.clip.jointCount = walk.skeleton.size();
-  for (std::size_t i = 0; i + 2 < roots.size(); i += 3) {
-    walk.clip.rootPositions.emplace_back(roots[i], roots[i + 1], roots[i + 2]);
-  }
-  for (std::size_t i = 0; i + 3 < rotations.size(); i += 4) {
-    walk.clip.rotations.emplace_back(rotations[i], rotations[i + 1], rotations[i + 2], rotations[i + 3]);
-  }
-}
-
-ExportedWalk readWalk(const val& skeleton, const val& walk) {
-  ExportedWalk exported;
-  readSkeleton(skeleton, exported);
-  readClip(walk, exported);
-  return exported;
+  clip.name = "walk";
+  clip.framesPerSecond = value["fps"].as<double>();
+  clip.jointCount = jointCount;
+  for (std::size_t i = 0; i + 2 < roots.size(); i += 3)
+    clip.rootPositions.emplace_back(roots[i], roots[i + 1], roots[i + 2]);
+  for (std::size_t i = 0; i + 3 < rotations.size(); i += 4)
+    clip.rotations.emplace_back(rotations[i], rotations[i + 1], rotations[i + 2], rotations[i + 3]);
+  return clip;
 }
 
 }  // namespace
@@ -169,13 +163,18 @@ val planValue(const Skeleton& skeleton, const Plan& plan) {
 }
 
 val walkToBvh(const val& skeleton, const val& walk) {
-  const ExportedWalk exported = readWalk(skeleton, walk);
-  return succeed(val(writeBvh(exported.skeleton, exported.layout, exported.clip)));
+  const ExportedSkeleton exported = readSkeleton(skeleton);
+  return succeed(val(writeBvh(exported.skeleton, exported.layout, readClip(walk, exported.skeleton.size()))));
 }
 
-val walkToGlb(const val& skeleton, const val& walk) {
-  const ExportedWalk exported = readWalk(skeleton, walk);
-  const std::vector<std::uint8_t> bytes = writeGlb(exported.skeleton, exported.clip);
+val walksToGlb(const val& skeleton, const val& walks) {
+  const ExportedSkeleton exported = readSkeleton(skeleton);
+  std::vector<Clip> clips;
+  for (const val& walk : emscripten::vecFromJSArray<val>(walks))
+    clips.push_back(readClip(walk, exported.skeleton.size()));
+  std::vector<const Clip*> all;
+  for (const Clip& clip : clips) all.push_back(&clip);
+  const std::vector<std::uint8_t> bytes = writeGlb(exported.skeleton, all);
   return succeed(copyOut<std::uint8_t>(bytes));
 }
 

@@ -21,7 +21,7 @@ emscripten::val planValue(const Skeleton& skeleton, const Plan& plan);
 /// {value: text} of a walk made by skeletonValue and planValue.
 emscripten::val walkToBvh(const emscripten::val& skeleton, const emscripten::val& walk);
 
-/// {value: Uint8Array} of the same.
-emscripten::val walkToGlb(const emscripten::val& skeleton, const emscripten::val& walk);
+/// {value: Uint8Array} of a list of such walks, one or more.
+emscripten::val walksToGlb(const emscripten::val& skeleton, const emscripten::val& walks);
 
 }  // namespace stridegraph::bindings

@@ -170,18 +170,29 @@ EMSCRIPTEN_KEEPALIVE const char* sgState() {
   return answer(toJson(page().app->state()));
 }
 
-/// The walk as a file; an empty one without a walk.
-EMSCRIPTEN_KEEPALIVE const std::uint8_t* sgWalkFile(bool glb) {
+/// A walker's walk as BVH; an empty file where it has none.
+EMSCRIPTEN_KEEPALIVE const std::uint8_t* sgWalkBvh(std::size_t walker) {
   const AppState& state = page().app->state();
   page().bytes.clear();
-  if (state.hasWalk() && glb) page().bytes = writeGlb(state.library->skeleton, state.plan->walk);
-  if (state.hasWalk() && !glb) {
-    const std::string text = writeBvh(state.library->skeleton, state.library->layout, state.plan->walk);
+  const Plan* const plan = state.planOf(walker);
+  if (plan != nullptr && plan->walk.frameCount() > 0) {
+    const std::string text = writeBvh(state.library->skeleton, state.library->layout, plan->walk);
     page().bytes.assign(text.begin(), text.end());
   }
   return page().bytes.data();
 }
-EMSCRIPTEN_KEEPALIVE std::size_t sgWalkFileSize() {
+/// The walks of all who have one as GLB; an empty file where nobody has.
+EMSCRIPTEN_KEEPALIVE const std::uint8_t* sgWalksGlb() {
+  const AppState& state = page().app->state();
+  page().bytes.clear();
+  std::vector<const Clip*> walks;
+  for (std::size_t walker = 0; const Plan* const plan = state.planOf(walker); ++walker)
+    if (plan->walk.frameCount() > 0) walks.push_back(&plan->walk);
+  if (!walks.empty()) page().bytes = writeGlb(state.library->skeleton, walks);
+  return page().bytes.data();
+}
+/// Size of the file asked for last.
+EMSCRIPTEN_KEEPALIVE std::size_t sgFileSize() {
   return page().bytes.size();
 }
 

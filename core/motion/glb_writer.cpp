@@ -1,9 +1,12 @@
 #include "motion/glb_writer.h"
 
+#include <fmt/format.h>
 #include <tiny_gltf.h>
 
 #include <array>
 #include <sstream>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "base/check.h"
@@ -41,18 +44,28 @@ void appendFloats(const Quat& rotation, std::vector<float>& floats) {
 
 class GlbWriter {
  public:
-  GlbWriter(const Skeleton& skeleton, const Clip& clip)
-      : skeleton_(skeleton), clip_(clip), nodeOf_(skeleton.size(), -1) {}
+  GlbWriter(const Skeleton& skeleton, std::span<const Clip* const> clips)
+      : skeleton_(skeleton), clips_(clips), placeOf_(skeleton.size(), -1) {
+    int places = 0;
+    for (std::size_t j = 0; j < skeleton.size(); ++j)
+      if (!skeleton.joints[j].isEndSite) placeOf_[j] = places++;
+  }
 
   std::vector<std::uint8_t> write() {
     model_.asset.version = "2.0";
     model_.asset.generator = "Stridegraph";
-    addNodes();
-    if (clip_.frameCount() > 0) addAnimation();
-    addBody();
     model_.scenes.emplace_back();
-    model_.scenes.back().nodes = {0, static_cast<int>(model_.nodes.size() - 1)};
     model_.defaultScene = 0;
+    tinygltf::Animation animation;
+    animation.name = clips_.size() == 1 ? clips_.front()->name : "walks";
+    for (const Clip* clip : clips_) {
+      addNodes(*clip);
+      if (clip->frameCount() > 0) addTracks(*clip, animation);
+    }
+    if (!animation.channels.empty()) model_.animations.push_back(std::move(animation));
+    addMesh();
+    const int matrices = addMatrices();
+    for (std::size_t walker = 0; walker < clips_.size(); ++walker) addBody(walker, matrices);
     std::ostringstream stream;
     tinygltf::TinyGLTF writer;
     STRIDEGRAPH_CHECK(writer.WriteGltfSceneToStream(&model_, stream, false, true));
@@ -61,48 +74,64 @@ class GlbWriter {
   }
 
  private:
-  /// A node for each joint that can turn, placed as in the first frame.
-  void addNodes() {
+  /// Of a file with several bodies each is named for its walker.
+  std::string named(std::string_view what, std::size_t walker) const {
+    return clips_.size() == 1 ? std::string(what)
+                              : fmt::format("walker_{}{}{}", walker + 1, what.empty() ? "" : "_", what);
+  }
+
+  int nodeCount() const { return static_cast<int>(model_.nodes.size()); }
+
+  /// A node for each joint that can turn, placed as in the first frame; below one of their own where there
+  /// are several walkers.
+  void addNodes(const Clip& clip) {
+    const std::size_t walker = firstNodes_.size();
+    const int top = nodeCount();
+    model_.scenes.front().nodes.push_back(top);
+    if (clips_.size() > 1) {
+      model_.nodes.emplace_back().name = named("", walker);
+      model_.nodes.back().children.push_back(top + 1);
+    }
+    firstNodes_.push_back(nodeCount());
     for (std::size_t j = 0; j < skeleton_.size(); ++j) {
       const Joint& joint = skeleton_.joints[j];
       if (joint.isEndSite) continue;
-      nodeOf_[j] = static_cast<int>(model_.nodes.size());
+      const int index = nodeCount();
       tinygltf::Node& node = model_.nodes.emplace_back();
       node.name = joint.name;
-      const bool hasPose = clip_.frameCount() > 0;
-      const Vec3 place = !joint.parent && hasPose ? clip_.rootPositions[0] : joint.offset;
+      const bool hasPose = clip.frameCount() > 0;
+      const Vec3 place = !joint.parent && hasPose ? clip.rootPositions[0] : joint.offset;
       node.translation = {place.x(), place.y(), place.z()};
       if (hasPose) {
-        const Quat q = clip_.rotations[j].normalized();
+        const Quat q = clip.rotations[j].normalized();
         node.rotation = {q.x(), q.y(), q.z(), q.w()};
       }
-      if (joint.parent) {
-        model_.nodes[static_cast<std::size_t>(nodeOf_[joint.parent->value])].children.push_back(nodeOf_[j]);
-      }
+      if (joint.parent)
+        model_.nodes[static_cast<std::size_t>(nodeOf(joint.parent->value, walker))].children.push_back(index);
     }
   }
 
-  void addAnimation() {
+  int nodeOf(std::size_t joint, std::size_t walker) const { return firstNodes_[walker] + placeOf_[joint]; }
+
+  /// Adds what moves the walker whose nodes were added last.
+  void addTracks(const Clip& clip, tinygltf::Animation& animation) {
+    const std::size_t walker = firstNodes_.size() - 1;
     std::vector<float> times;
     std::vector<float> translations;
-    for (std::size_t f = 0; f < clip_.frameCount(); ++f) {
-      times.push_back(static_cast<float>(static_cast<double>(f) / clip_.framesPerSecond));
-      appendFloats(clip_.rootPositions[f], translations);
+    for (std::size_t f = 0; f < clip.frameCount(); ++f) {
+      times.push_back(static_cast<float>(static_cast<double>(f) / clip.framesPerSecond));
+      appendFloats(clip.rootPositions[f], translations);
     }
-    tinygltf::Animation animation;
-    animation.name = clip_.name;
     const int timesIndex = addGlbAccessor(model_, bytesOf(times), kTimes);
-    addChannel(animation, 0, "translation",
+    addChannel(animation, nodeOf(0, walker), "translation",
                {timesIndex, addGlbAccessor(model_, bytesOf(translations), kTranslations)});
     for (std::size_t j = 0; j < skeleton_.size(); ++j) {
-      if (nodeOf_[j] < 0) continue;
+      if (placeOf_[j] < 0) continue;
       std::vector<float> rotations;
-      for (std::size_t f = 0; f < clip_.frameCount(); ++f)
-        appendFloats(clip_.pose(f).rotations[j], rotations);
-      addChannel(animation, nodeOf_[j], "rotation",
+      for (std::size_t f = 0; f < clip.frameCount(); ++f) appendFloats(clip.pose(f).rotations[j], rotations);
+      addChannel(animation, nodeOf(j, walker), "rotation",
                  {timesIndex, addGlbAccessor(model_, bytesOf(rotations), kRotations)});
     }
-    model_.animations.push_back(std::move(animation));
   }
 
   /// `track` holds the accessors of times and of values.
@@ -120,12 +149,13 @@ class GlbWriter {
     animation.channels.push_back(std::move(channel));
   }
 
-  void addBody() {
+  /// The body that all walkers share.
+  void addMesh() {
     const BodyMesh body = buildBodyMesh(skeleton_);
     std::vector<std::uint16_t> carriers;
     std::vector<std::uint8_t> weights;
     for (const std::uint16_t joint : body.joints) {
-      carriers.insert(carriers.end(), {static_cast<std::uint16_t>(nodeOf_[joint]), 0, 0, 0});
+      carriers.insert(carriers.end(), {static_cast<std::uint16_t>(placeOf_[joint]), 0, 0, 0});
       weights.insert(weights.end(), {255, 0, 0, 0});
     }
     tinygltf::Primitive primitive;
@@ -145,23 +175,16 @@ class GlbWriter {
     material.pbrMetallicRoughness.baseColorFactor = {0.55, 0.62, 0.70, 1.0};
     material.pbrMetallicRoughness.metallicFactor = 0.0;
     material.pbrMetallicRoughness.roughnessFactor = 0.7;
-    addSkin();
-    tinygltf::Node& node = model_.nodes.emplace_back();
-    node.name = "body";
-    node.mesh = 0;
-    node.skin = 0;
   }
 
   /// The body was made in the rest pose, where no joint is turned: binding takes its place off, no more.
-  void addSkin() {
-    tinygltf::Skin skin;
+  int addMatrices() {
     std::vector<float> jointFromRest;
     std::vector<Vec3> rest(skeleton_.size(), Vec3::Zero());
     for (std::size_t j = 0; j < skeleton_.size(); ++j) {
       const Joint& joint = skeleton_.joints[j];
       if (joint.parent) rest[j] = rest[joint.parent->value] + joint.offset;
-      if (nodeOf_[j] < 0) continue;
-      skin.joints.push_back(nodeOf_[j]);
+      if (placeOf_[j] < 0) continue;
       for (Eigen::Index column = 0; column < 3; ++column) {
         appendFloats(Vec3(Mat3::Identity().col(column)), jointFromRest);
         jointFromRest.push_back(0.0F);
@@ -169,22 +192,40 @@ class GlbWriter {
       appendFloats(Vec3(-rest[j]), jointFromRest);
       jointFromRest.push_back(1.0F);
     }
-    skin.skeleton = 0;
-    skin.inverseBindMatrices = addGlbAccessor(model_, bytesOf(jointFromRest), kMatrices);
-    model_.skins.push_back(std::move(skin));
+    return addGlbAccessor(model_, bytesOf(jointFromRest), kMatrices);
+  }
+
+  /// Skins the body to a walker's joints. Skinned nodes stand at the top of a scene, else viewers disagree.
+  void addBody(std::size_t walker, int matrices) {
+    tinygltf::Skin& skin = model_.skins.emplace_back();
+    for (std::size_t j = 0; j < skeleton_.size(); ++j)
+      if (placeOf_[j] >= 0) skin.joints.push_back(nodeOf(j, walker));
+    skin.skeleton = firstNodes_[walker];
+    skin.inverseBindMatrices = matrices;
+    model_.scenes.front().nodes.push_back(nodeCount());
+    tinygltf::Node& node = model_.nodes.emplace_back();
+    node.name = named("body", walker);
+    node.mesh = 0;
+    node.skin = static_cast<int>(walker);
   }
 
   const Skeleton& skeleton_;
-  const Clip& clip_;
-  std::vector<int> nodeOf_;  ///< For each joint its node, -1 for end sites. Also its place in the skin.
+  std::span<const Clip* const> clips_;
+  std::vector<int> placeOf_;     ///< For each joint its place in the skins, -1 for end sites.
+  std::vector<int> firstNodes_;  ///< For each walker the node of its root joint; the others follow.
   tinygltf::Model model_;
 };
 
 }  // namespace
 
+std::vector<std::uint8_t> writeGlb(const Skeleton& skeleton, std::span<const Clip* const> clips) {
+  STRIDEGRAPH_CHECK(!skeleton.joints.empty() && !clips.empty());
+  for (const Clip* clip : clips) STRIDEGRAPH_CHECK(clip->jointCount == skeleton.size());
+  return GlbWriter(skeleton, clips).write();
+}
+
 std::vector<std::uint8_t> writeGlb(const Skeleton& skeleton, const Clip& clip) {
-  STRIDEGRAPH_CHECK(!skeleton.joints.empty() && clip.jointCount == skeleton.size());
-  return GlbWriter(skeleton, clip).write();
+  return writeGlb(skeleton, std::array{&clip});
 }
 
 }  // namespace stridegraph

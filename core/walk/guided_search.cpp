@@ -113,6 +113,11 @@ std::shared_ptr<const PaceTable> paceUnlessUsual(const MotionQuery& query) {
   return query.paces->of(*query.constraints);
 }
 
+/// The way along a field is told in strides of this length, each of which brings the goal nearer by as much
+/// as this.
+constexpr double kStrideMetres = 0.2;
+constexpr double kLeastStrideMetres = 0.02;
+
 /// A field of the query's own where none is known, or where areas make some metres count for more.
 std::optional<DistanceField> fieldUnlessKnown(const MotionQuery& query, const SteeringTable& steering) {
   DistanceField::Params params;
@@ -127,6 +132,21 @@ std::optional<DistanceField> fieldUnlessKnown(const MotionQuery& query, const St
     return std::nullopt;
   }
   return DistanceField(query.plan, query.goal.position, params);
+}
+
+/// The way that a field leads, point by point; empty where it cannot be told without touching something.
+std::vector<Vec2> wayAlong(const DistanceField& field, const Vec2& start, const Vec2& goal) {
+  std::vector<Vec2> way = {start};
+  double left = field.metresToGoal(start);
+  while (left > kStrideMetres) {
+    const Vec2 next = way.back() + kStrideMetres * field.at(way.back()).direction;
+    const double then = field.metresToGoal(next);
+    if (!(then < left - kLeastStrideMetres)) return {};
+    way.push_back(next);
+    left = then;
+  }
+  way.push_back(goal);
+  return way;
 }
 
 /// All stages for one kind of end.
@@ -154,6 +174,8 @@ class Cascade {
       if (trouble_.metresLeft > kNearMetres && trouble_.tooLate == 0) break;
     }
     result.expansions = expansions_;
+    if (!query_.constraints->areas.empty())
+      result.way = wayAlong(field_, query_.start.position, query_.goal.position);
     if (result.status != SearchStatus::kArrived)
       result.explanation = explain(result.status, trouble_, query_);
     return result;

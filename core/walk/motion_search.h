@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "path/distance_field.h"
 #include "path/floor_plan.h"
@@ -79,6 +80,9 @@ struct MotionResult {
   double costMetres = 0.0;       ///< Of the path, by WalkCost.
   std::uint64_t expansions = 0;  ///< States whose ways on were looked at.
   std::string explanation;       ///< When not arrived: what stood in the way.
+  /// From start to goal, where the scene's areas lead the search another way than the query's path; else
+  /// empty.
+  std::vector<Vec2> way;
 };
 
 /// Runs the search of that kind.

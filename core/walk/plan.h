@@ -117,7 +117,9 @@ struct Plan {
   /// Placements of the walk's frames before its end was bent to the goal; empty where it was not bent.
   std::vector<FloorTransform> unbentWay;
   std::vector<std::pair<Vec2, Vec2>> roadmap;  ///< Edges of the roadmap or of both trees.
-  std::vector<Vec2> path;                      ///< From start to goal; empty when there is none.
+  /// From start to goal; empty when there is none. Where the scene has areas it is the way that heeds them,
+  /// and the report's path length is still that of the planner's.
+  std::vector<Vec2> path;
   std::vector<Vec2> subgoals;
   MotionPath motion;                ///< What the walk plays; without steps unless arrived.
   std::vector<FloorTransform> way;  ///< Where the body stands at each frame of the walk.

@@ -168,6 +168,7 @@ class Planning {
     plan_.report.status = statusOf(found.status);
     plan_.report.explanation = std::move(found.explanation);
     plan_.report.expansions = found.expansions;
+    if (!found.way.empty()) plan_.path = std::move(found.way);
     plan_.report.motionMilliseconds = watch.elapsed();
     return std::move(found.path);
   }

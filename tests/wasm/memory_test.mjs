@@ -32,6 +32,7 @@ describe('the heap', () => {
       engine.decodeLink(engine.encodeLink(smallRoom()))
       walk.toBvh()
       walk.toGlb()
+      walk.allToGlb()
       library.toBytes()
     }
     assert.deepEqual(growth(20, work), [0, 0])

@@ -59,6 +59,7 @@ describe('stridegraph.d.ts', () => {
       'subgoals',
       'toBvh',
       'toGlb',
+      'allToGlb',
     ])
     library.delete()
   })

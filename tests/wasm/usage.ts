@@ -64,5 +64,5 @@ export async function useEverything(bytes: ArrayBuffer, signal: AbortSignal): Pr
   walk.frames = 3
   mine.delete()
   library.delete()
-  return walk.toGlb()
+  return walk.others.length > 0 ? walk.allToGlb() : walk.toGlb()
 }

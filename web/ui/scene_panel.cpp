@@ -77,9 +77,8 @@ void walkFields(const AppState& state, const Palette& palette, Commands& command
   scene = state.scene;
   std::optional<Gait>& gait = scene.constraints.gait;
   static constexpr std::array<const char*, 3> kGaits = {"Any", "Walk only", "Run only"};
-  const int before = gait ? 1 + static_cast<int>(*gait) : 0;
-  const int chosen = choiceField("Gait", before, kGaits);
-  if (chosen != before) {
+  int chosen = gait ? 1 + static_cast<int>(*gait) : 0;
+  if (choiceField("Gait", chosen, kGaits)) {
     gait = chosen == 0 ? std::nullopt : std::optional(static_cast<Gait>(chosen - 1));
     commands.push_back(EditScene{"Change gait", scene});
   }
@@ -107,13 +106,9 @@ void plannerFields(const AppState& state, const Palette& palette, Commands& comm
   }
   static constexpr std::array<const char*, 2> kPlanners = {"Roadmap (PRM)", "RRT-Connect"};
   static constexpr std::array<const char*, 3> kSearches = {"Guided", "Thesis", "Thesis, checked"};
-  const int planner = choiceField("Planner", static_cast<int>(settings.planner), kPlanners);
-  const int search = choiceField("Search", static_cast<int>(settings.search), kSearches);
-  settings.planner = static_cast<PlannerKind>(planner);
-  settings.search = static_cast<SearchKind>(search);
-  if (settings.planner != state.settings.planner || settings.search != state.settings.search) {
+  const bool otherPlanner = choiceField("Planner", settings.planner, kPlanners);
+  if (choiceField("Search", settings.search, kSearches) || otherPlanner)
     commands.push_back(ChangeSettings{settings});
-  }
 }
 
 }  // namespace

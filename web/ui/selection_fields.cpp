@@ -45,6 +45,12 @@ bool wideButton(const std::string& label) {
   return ImGui::Button(label.c_str(), ImVec2(-1.0F, 0.0F));
 }
 
+/// Puts another item in the place of the chosen one, in a scene made anew, and chooses it.
+void replaceBy(const Item& item, const char* label, const Scene& scene, Commands& commands) {
+  commands.push_back(EditScene{label, scene});
+  commands.push_back(Select{item});
+}
+
 void deleteButton(const Item& item, Commands& commands) {
   if (wideButton("Delete " + kindName(item))) commands.push_back(DeleteSelection{});
 }
@@ -61,8 +67,7 @@ void blockFields(const AppState& state, Commands& commands) {
   rectangleFields(state, commands);
   if (wideButton("Make it move")) {
     const Scene scene = withBlockMoving(state.scene, state.selection.index);
-    commands.push_back(EditScene{"Make block move", scene});
-    commands.push_back(Select{{ItemKind::kMoving, scene.moving.size() - 1}});
+    replaceBy({ItemKind::kMoving, scene.moving.size() - 1}, "Make block move", scene, commands);
   }
   deleteButton(state.selection, commands);
 }
@@ -77,16 +82,11 @@ void movingFields(const AppState& state, Commands& commands) {
     edit(scene, "Change speed", commands);
   }
   static constexpr std::array<const char*, 3> kRepeats = {"Begin again", "Back and forth", "Once"};
-  const int repeat = choiceField("Way", static_cast<int>(moving.repeat), kRepeats);
-  if (repeat != static_cast<int>(moving.repeat)) {
-    moving.repeat = static_cast<TrackRepeat>(repeat);
-    commands.push_back(EditScene{"Change way", scene});
-  }
+  if (choiceField("Way", moving.repeat, kRepeats)) commands.push_back(EditScene{"Change way", scene});
   if (sizeFields(moving.size)) edit(scene, "Change moving block", commands);
   if (wideButton("Make it stand")) {
     const Scene still = withBlockStanding(state.scene, state.selection.index);
-    commands.push_back(EditScene{"Make block stand", still});
-    commands.push_back(Select{{ItemKind::kObstacle, still.obstacles.size() - 1}});
+    replaceBy({ItemKind::kObstacle, still.obstacles.size() - 1}, "Make block stand", still, commands);
   }
   deleteButton(state.selection, commands);
 }
@@ -95,11 +95,7 @@ void areaFields(const AppState& state, Commands& commands) {
   Scene scene = state.scene;
   AreaKind& kind = scene.constraints.areas[state.selection.index].kind;
   static constexpr std::array<const char*, 2> kKinds = {"Avoid", "Prefer"};
-  const int chosen = choiceField("Walks", static_cast<int>(kind), kKinds);
-  if (chosen != static_cast<int>(kind)) {
-    kind = static_cast<AreaKind>(chosen);
-    commands.push_back(EditScene{"Change area", scene});
-  }
+  if (choiceField("Walks", kind, kKinds)) commands.push_back(EditScene{"Change area", scene});
   rectangleFields(state, commands);
   deleteButton(state.selection, commands);
 }

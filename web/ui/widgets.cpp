@@ -242,7 +242,7 @@ bool figureLink(const char* name, const std::string& value, const char* tooltip,
   return pressed;
 }
 
-int choiceField(const char* label, int current, std::span<const char* const> names) {
+int choiceOf(const char* label, int current, std::span<const char* const> names) {
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(label);
   ImGui::SameLine(kFieldLeft);

@@ -65,7 +65,15 @@ struct NumberField {
   const char* format = "%.2f";
 };
 /// A choice of few names, the label on the left; returns the chosen one's index.
-int choiceField(const char* label, int current, std::span<const char* const> names);
+int choiceOf(const char* label, int current, std::span<const char* const> names);
+
+/// The same for an enumeration whose values are named in order. True when another is chosen.
+template <typename Choice>
+bool choiceField(const char* label, Choice& chosen, std::span<const char* const> names) {
+  const Choice before = chosen;
+  chosen = static_cast<Choice>(choiceOf(label, static_cast<int>(before), names));
+  return chosen != before;
+}
 
 /// A number to drag, or to type after a double click; the label stands on the left. True while it changes.
 bool numberField(const NumberField& field, double& value);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstring>
 #include <nlohmann/json.hpp>
 
@@ -141,6 +142,36 @@ TEST(WriteGlb, writesABodyWithoutAnimationForAnEmptyClip) {
   const Glb glb(writeGlb(twoArms(), clip));
   EXPECT_FALSE(glb.json.contains("animations"));
   EXPECT_EQ(glb.json["meshes"].size(), 1U);
+}
+
+TEST(WriteGlb, givesEachOfSeveralWalkersNodesASkinAndTracksOfItsOwn) {
+  const Skeleton skeleton = twoArms();
+  const Clip first = waving(skeleton, 20, 3);
+  const Clip second = waving(skeleton, 9, 4);
+  const std::array<const Clip*, 2> clips = {&first, &second};
+  const Glb glb(writeGlb(skeleton, clips));
+  const Json& nodes = glb.json["nodes"];
+  ASSERT_EQ(nodes.size(), 2U * 8U);
+  EXPECT_EQ(nodes[0]["name"], "walker_1");
+  EXPECT_EQ(nodes[0]["children"], Json({1}));
+  EXPECT_EQ(nodes[1]["name"], "hips");
+  EXPECT_EQ(nodes[7]["name"], "walker_2");
+  EXPECT_EQ(nodes[8]["name"], "hips");
+  EXPECT_EQ(nodes[14]["name"], "walker_1_body");
+  EXPECT_EQ(nodes[15]["name"], "walker_2_body");
+  EXPECT_EQ(glb.json["scenes"][0]["nodes"], Json({0, 7, 14, 15}));
+  EXPECT_EQ(glb.json["skins"][1]["joints"], Json({8, 9, 10, 11, 12, 13}));
+  EXPECT_EQ(nodes[15]["skin"], 1);
+  EXPECT_EQ(glb.json["meshes"].size(), 1U);
+  ASSERT_EQ(glb.json["animations"].size(), 1U);
+  const Json& channels = glb.json["animations"][0]["channels"];
+  ASSERT_EQ(channels.size(), 2U * 7U);
+  EXPECT_EQ(channels[7]["target"]["node"], 8);
+  const Json& input = glb.json["animations"][0]["samplers"][7]["input"];
+  EXPECT_EQ(glb.floats(input).size(), 9U);
+  const std::vector<Vec3> places = nodePositions(glb, 5);
+  const std::vector<Vec3> joints = jointPositions(skeleton, second.pose(5));
+  EXPECT_LT((places[11] - joints[3]).norm(), 1e-5);
 }
 
 TEST(WriteGlb, givesTheSameBytesForTheSameClip) {

@@ -181,7 +181,15 @@ TEST(Crowd, goesAroundAnAreaToAvoidWhereTheDetourIsShort) {
   };
   EXPECT_GT(metresInside(planned(scene)), 2.0);
   scene.constraints.areas = {{area, AreaKind::kAvoid}};
-  EXPECT_LT(metresInside(planned(scene)), 0.3);
+  const Plan around = planned(scene);
+  EXPECT_LT(metresInside(around), 0.3);
+  // The path that is shown heeds the area, too.
+  EXPECT_EQ(around.path.front(), scene.start.position);
+  EXPECT_EQ(around.path.back(), scene.goal.position);
+  for (std::size_t i = 1; i < around.path.size(); ++i) {
+    EXPECT_LT((around.path[i] - around.path[i - 1]).norm(), 0.5);
+    EXPECT_GT(((around.path[i] - area.centre).cwiseAbs() - 0.5 * area.size).maxCoeff(), -0.15) << i;
+  }
 }
 
 TEST(Crowd, walksWhereItMayNotRunAndTellsHowWellItKeepsToIt) {
