@@ -43,6 +43,7 @@ describe('stridegraph.d.ts', () => {
       'toBytes',
     ])
     assert.deepEqual(membersOf(library.plan(smallRoom())), [
+      'allToGlb',
       'blended',
       'contacts',
       'fps',
@@ -59,7 +60,6 @@ describe('stridegraph.d.ts', () => {
       'subgoals',
       'toBvh',
       'toGlb',
-      'allToGlb',
     ])
     library.delete()
   })
