@@ -288,6 +288,27 @@ describe('files', () => {
       assert.deepEqual(JSON.parse((await fetchFile('#save')).toString()), scene)
     }))
 
+  it('are one BVH for each of several walkers, and one GLB of all', () =>
+    visiting({}, async (visit) => {
+      const { scene } = await visit.openSample('crossing.json')
+      const downloads = []
+      visit.page.on('download', (download) => downloads.push(download))
+      await visit.page.click('#download-bvh')
+      const walkers = 1 + scene.walkers.length
+      for (let i = 0; i < 100 && downloads.length < walkers; ++i) await visit.page.waitForTimeout(50)
+      const names = downloads.map((download) => download.suggestedFilename())
+      assert.equal(names.length, walkers)
+      assert.match(names[0], /^[a-z_0-9]+\.bvh$/)
+      assert.equal(names.at(-1), names[0].replace('.bvh', `_${walkers}.bvh`))
+      const [glb] = await Promise.all([
+        visit.page.waitForEvent('download'),
+        visit.page.click('#download-glb'),
+      ])
+      const chunks = []
+      for await (const chunk of await glb.createReadStream()) chunks.push(chunk)
+      assert.ok(Buffer.concat(chunks).includes(`"walker_${walkers}"`))
+    }))
+
   it('of motion capture become a library, built in a worker', () =>
     visiting({}, async (visit) => {
       const first = await visit.openSample('one_obstacle.json')

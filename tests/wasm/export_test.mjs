@@ -49,7 +49,10 @@ describe('allToGlb', () => {
 
   it('holds every walker who arrives, and passes the validator of the standard', async () => {
     const walk = library.plan({ ...smallRoom(), walkers })
-    assert.deepEqual([walk, ...walk.others].map(({ status }) => status), Array(3).fill('arrived'))
+    assert.deepEqual(
+      [walk, ...walk.others].map(({ status }) => status),
+      Array(3).fill('arrived'),
+    )
     const glb = walk.allToGlb()
     const { issues, info } = await validator.validateBytes(glb)
     assert.equal(issues.numErrors + issues.numWarnings, 0, JSON.stringify(issues.messages.slice(0, 5)))
@@ -57,7 +60,10 @@ describe('allToGlb', () => {
     const length = new DataView(glb.buffer, glb.byteOffset).getUint32(12, true)
     const json = JSON.parse(new TextDecoder().decode(glb.subarray(20, 20 + length)))
     const names = json.scenes[0].nodes.map((node) => json.nodes[node].name)
-    assert.deepEqual(names.filter((name) => !name.endsWith('body')), ['walker_1', 'walker_2', 'walker_3'])
+    assert.deepEqual(
+      names.filter((name) => !name.endsWith('body')),
+      ['walker_1', 'walker_2', 'walker_3'],
+    )
     assert.equal(json.skins.length, 3)
   })
 
