@@ -168,7 +168,10 @@ class Planning {
     plan_.report.status = statusOf(found.status);
     plan_.report.explanation = std::move(found.explanation);
     plan_.report.expansions = found.expansions;
-    if (!found.way.empty()) plan_.path = std::move(found.way);
+    if (!found.way.empty()) {
+      plan_.path = std::move(found.way);
+      plan_.subgoals = subgoals(plan_.path, options_.subgoalSpacingMetres);
+    }
     plan_.report.motionMilliseconds = watch.elapsed();
     return std::move(found.path);
   }
