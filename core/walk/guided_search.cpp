@@ -52,6 +52,8 @@ constexpr GuidedStage kAmongMovers = {1.15, 1.15, 1.0, 0.3, 16, 40'000, 250.0};
 constexpr GuidedStage kFiner = {1.2, 1.04, 1.0, 0.1, 48, 150'000, 250.0};
 /// When the budget ran out.
 constexpr GuidedStage kGreedy = {3.0, 1.0, 0.0, 0.2, 24, 60'000, 0.0};
+/// The same where others move: who has to wait needs many steps, not greed.
+constexpr GuidedStage kPatient = {1.15, 1.15, 0.6, 0.3, 16, 60'000, 0.0};
 
 /// How far behind the front the search for a better walk looks, at first and by how much further each time,
 constexpr double kFirstWindowMetres = 1.5;
@@ -199,7 +201,8 @@ class Cascade {
     const bool meets = query_.traffic != nullptr && !query_.traffic->empty();
     MotionResult result = tryStage(meets ? kAmongMovers : kUsual, end);
     if (result.status == SearchStatus::kNoMotion) result = tryStage(kFiner, end);
-    if (result.status == SearchStatus::kBudgetSpent && !outOfTime()) result = tryStage(kGreedy, end);
+    if (result.status == SearchStatus::kBudgetSpent && !outOfTime())
+      result = tryStage(meets ? kPatient : kGreedy, end);
     return result;
   }
 
