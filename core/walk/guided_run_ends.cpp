@@ -1,0 +1,164 @@
+#include "walk/guided_run.h"
+
+#include <algorithm>
+
+// How walks end: where ends are seen, which will do, and what leads there.
+
+namespace stridegraph {
+namespace {
+
+/// Arrivals looked at for one state: the cheapest that end at the goal.
+constexpr std::size_t kArrivalsTried = 6;
+constexpr std::size_t kArrivalsOpened = 2;
+
+/// What each metre by which an end misses the goal counts for: those that have to be bent less come first.
+constexpr double kMissCost = 2.0;
+
+/// An end is judged by so many metres before it, more than would be bent.
+constexpr double kJudgedMetres = 9.0;
+
+/// Appends a way, cut off behind one of its samples.
+void appendWay(const SearchGraph& graph, const SearchEdge& way, std::uint32_t lastSample,
+               std::vector<WalkStep>& steps) {
+  std::uint32_t left = lastSample == SearchEdge::kNone ? way.sampleCount : lastSample + 1;
+  for (WalkStep step : graph.stepsOf(way)) {
+    step.end = step.begin + std::min(step.end - step.begin, left);
+    left -= step.end - step.begin;
+    if (step.end > step.begin) steps.push_back(step);
+  }
+}
+
+}  // namespace
+
+/// Whether the end of a walk will do: judged by its last metres.
+bool GuidedRun::isAccepted(std::uint32_t id) const {
+  if (!query_.accepts) return true;
+  const Vec2& end = states_[id].placement.translation;
+  std::uint32_t from = states_[id].parent;
+  while (from != kNone && (states_[from].placement.translation - end).norm() < kJudgedMetres)
+    from = states_[from].parent;
+  const std::uint32_t begun = query_.onward ? query_.onward->frame : 0;
+  return query_.accepts(pathTo(id, from), from == kNone ? begun : states_[from].frame);
+}
+
+void GuidedRun::take(std::uint32_t id, MotionResult& result) {
+  const State& end = states_[id];
+  result.status = SearchStatus::kArrived;
+  result.path = pathTo(id, kNone);
+  result.costMetres = end.cost;
+  marks_.clear();
+  for (std::uint32_t at = end.parent; at != kNone; at = states_[at].parent) {
+    const State& state = states_[at];
+    const double metres = field_.metresToGoal(state.placement.translation);
+    if (!marks_.empty() && metres <= marks_.back().metresToGoal) continue;
+    const double left = end.cost - state.cost;
+    marks_.push_back({metres, left - costToGo_.estimate(state.node, state.placement)});
+  }
+}
+
+/// Opens the end of the walk on a way where one of its samples will do: the one nearest to the goal.
+void GuidedRun::openEndOn(std::uint32_t parent, const State& from, const SearchEdge& edge) {
+  const FloorTransform& placement = from.placement;
+  const double reach = edge.lengthMetres + end_.radiusMetres;
+  if ((placement.translation - query_.goal.position).squaredNorm() > reach * reach) return;
+  if (end_.standing && edge.settledSample == kNone) return;
+  const std::span<const Eigen::Vector2f> samples = query_.tables.graph.samplesOf(edge);
+  const std::span<const Eigen::Vector2f> headings = query_.tables.graph.headingsOf(edge);
+  double nearest = end_.radiusMetres;
+  State end = from;
+  end.node = kNone;
+  end.via = &edge;
+  end.parent = parent;
+  const std::uint32_t first = end_.standing ? edge.settledSample : 0;
+  const std::uint32_t last = end_.standing ? first : edge.sampleCount - 1;
+  for (std::uint32_t s = first; s <= last; ++s) {
+    const Vec2 point = placement * Vec2(samples[s].cast<double>());
+    const double toGoal = (point - query_.goal.position).norm();
+    if (toGoal >= nearest) continue;
+    if (!facesGoal(placement.heading + Heading{double{headings[s].x()}, double{headings[s].y()}})) continue;
+    nearest = toGoal;
+    end.goalSample = s;
+  }
+  if (end.goalSample == kNone || from.frame + end.goalSample + 1 > lastFrame_) return;
+  end.cost += kMissCost * nearest + costOf(placement, edge) * static_cast<double>(end.goalSample + 1) /
+                                        static_cast<double>(edge.sampleCount);
+  open(end, 0.0);
+}
+
+/// Opens the cheapest ways from a state to a stand at the goal that are known and free.
+void GuidedRun::openArrival(std::uint32_t parent, const State& state) {
+  const ArrivalTable& arrivals = query_.tables.arrivals;
+  const Vec2 toGoal = query_.goal.position - state.placement.translation;
+  const double reach = arrivals.reachMetres() + end_.radiusMetres;
+  if (toGoal.squaredNorm() > reach * reach) return;
+  const FloorTransform nodeFromRoom = state.placement.inverse();
+  std::size_t tried = 0;
+  std::size_t opened = 0;
+  for (const std::uint32_t id :
+       arrivals.near(state.node, nodeFromRoom * query_.goal.position, end_.radiusMetres)) {
+    const Arrival& arrival = arrivals[id];
+    if (!facesGoal(state.placement.heading + arrival.end.heading)) continue;
+    if (isFree(state.placement, state.frame, id)) {
+      State end = state;
+      const double miss = (state.placement * arrival.end.translation - query_.goal.position).norm();
+      end.cost += arrival.costMetres + kMissCost * miss;
+      if (wishes_) end.cost += wishes_->ofPace(query_.tables, id);
+      end.node = kNone;
+      end.via = nullptr;
+      end.parent = parent;
+      end.arrival = id;
+      open(end, 0.0);
+      if (++opened == kArrivalsOpened) return;
+    }
+    if (++tried == kArrivalsTried) return;
+  }
+}
+
+bool GuidedRun::isFree(FloorTransform from, std::uint32_t frame, std::uint32_t arrival) {
+  const ArrivalTable& arrivals = query_.tables.arrivals;
+  for (; arrival != kNone; arrival = arrivals[arrival].next) {
+    const Arrival& at = arrivals[arrival];
+    const SearchEdge& edge = query_.tables.graph.edges()[at.edge];
+    const std::uint32_t samples = at.next == kNone ? edge.settledSample + 1 : edge.sampleCount;
+    if (frame + samples > lastFrame_ || !isFree(from, frame, edge, samples)) return false;
+    from = from * (at.next == kNone ? edge.settledEnd : edge.end);
+    frame += samples;
+  }
+  return mayStay(from.translation, frame);
+}
+
+/// Whether nobody who walks comes to a place where this one stands from a frame on.
+bool GuidedRun::mayStay(const Vec2& place, std::uint32_t frame) {
+  if (query_.traffic == nullptr || query_.traffic->staysClearOfBodies(place, frame)) return true;
+  ++trouble_.atTraffic;
+  return false;
+}
+
+bool GuidedRun::facesGoal(const Heading& heading) const {
+  return goalCosine_ <= -1.0 || (heading - goalHeading_).cos >= goalCosine_;
+}
+
+/// The path to a state from another before it, or from the walk's beginning.
+MotionPath GuidedRun::pathTo(std::uint32_t id, std::uint32_t from) const {
+  std::vector<std::uint32_t> chain;
+  for (std::uint32_t at = id; at != from; at = states_[at].parent) chain.push_back(at);
+  MotionPath path;
+  if (from != kNone) {
+    path.start = states_[from].placement;
+  } else {
+    path.start = query_.onward ? query_.onward->placement
+                               : FloorTransform{query_.start.position, startOf_[chain.back()]};
+  }
+  for (auto it = chain.rbegin(); it != chain.rend(); ++it) {
+    const State& state = states_[*it];
+    if (state.via != nullptr) appendWay(query_.tables.graph, *state.via, state.goalSample, path.steps);
+  }
+  for (std::uint32_t a = states_[id].arrival; a != kNone; a = query_.tables.arrivals[a].next) {
+    const SearchEdge& edge = query_.tables.graph.edges()[query_.tables.arrivals[a].edge];
+    const bool last = query_.tables.arrivals[a].next == kNone;
+    appendWay(query_.tables.graph, edge, last ? edge.settledSample : kNone, path.steps);
+  }
+  return path;
+}
+
+}  // namespace stridegraph
