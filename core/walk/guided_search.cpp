@@ -47,13 +47,13 @@ std::vector<StartHeading> startHeadings(const MotionQuery& query, const GuidedSe
 constexpr GuidedStage kUsual = {1.02, 1.04, 1.0, 0.2, 24, 40'000, 250.0};
 /// Where others move: what they cost is not in the estimate, so little greed finds nothing soon, and places
 /// are there at many times, so there have to be fewer of them.
-constexpr GuidedStage kAmongMovers = {1.15, 1.15, 1.0, 0.3, 16, 40'000, 250.0};
+constexpr GuidedStage kAmongMovers = {1.15, 1.15, 1.0, 0.3, 16, 10'000, 100.0};
 /// When a stage has run through all states.
 constexpr GuidedStage kFiner = {1.2, 1.04, 1.0, 0.1, 48, 150'000, 250.0};
 /// When the budget ran out.
 constexpr GuidedStage kGreedy = {3.0, 1.0, 0.0, 0.2, 24, 60'000, 0.0};
 /// The same where others move: who has to wait needs many steps, not greed.
-constexpr GuidedStage kPatient = {1.15, 1.15, 0.6, 0.3, 16, 60'000, 0.0};
+constexpr GuidedStage kPatient = {1.15, 1.15, 0.6, 0.3, 16, 80'000, 0.0};
 
 /// How far behind the front the search for a better walk looks, at first and by how much further each time,
 constexpr double kFirstWindowMetres = 1.5;
