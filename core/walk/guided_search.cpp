@@ -47,7 +47,7 @@ std::vector<StartHeading> startHeadings(const MotionQuery& query, const GuidedSe
 constexpr GuidedStage kUsual = {1.02, 1.04, 1.0, 0.2, 24, 40'000, 250.0};
 /// Where others move: what they cost is not in the estimate, so little greed finds nothing soon, and places
 /// are there at many times, so there have to be fewer of them.
-constexpr GuidedStage kAmongMovers = {1.15, 1.15, 1.0, 0.3, 16, 10'000, 100.0};
+constexpr GuidedStage kAmongMovers = {1.15, 1.15, 1.0, 0.3, 16, 8'000, 250.0, 400.0};
 /// When a stage has run through all states.
 constexpr GuidedStage kFiner = {1.2, 1.04, 1.0, 0.1, 48, 150'000, 250.0};
 /// When the budget ran out.
@@ -209,9 +209,10 @@ class Cascade {
   MotionResult tryStage(const GuidedStage& stage, const WalkEnd& end) {
     stage_ = stage;
     const double metres = field_.metresToGoal(query_.start.position);
+    const double movers = query_.traffic == nullptr ? 0.0 : static_cast<double>(query_.traffic->size());
+    const double more = stage.expansionsPerMetre * metres + stage.expansionsPerMover * movers;
     GuidedRun run(query_, params_, stage, costToGo_, field_, end);
-    return runOnce(run, stage.maxExpansions + static_cast<std::uint64_t>(stage.expansionsPerMetre * metres),
-                   kNoBound);
+    return runOnce(run, stage.maxExpansions + static_cast<std::uint64_t>(more), kNoBound);
   }
 
   /// Looks for better walks than the first until the budget is spent, or nothing is left to look at.

@@ -16,6 +16,7 @@ struct GuidedStage {
   std::uint32_t headingCells = 24;  ///< ... when they also face the same of so many sectors.
   std::uint64_t maxExpansions = 40'000;
   double expansionsPerMetre = 250.0;  ///< Added to maxExpansions for each metre from start to goal.
+  double expansionsPerMover = 0.0;    ///< And for each of the others who move.
   /// States this much further from the goal than the nearest one looked at are passed over, metres of way.
   double windowMetres = std::numeric_limits<double>::infinity();
 };

@@ -32,6 +32,7 @@ class Traffic {
   void addBody(std::span<const Vec2> way, std::uint32_t goneFrom = kForEver);
 
   bool empty() const { return movers_.empty(); }
+  std::size_t size() const { return movers_.size(); }
   /// Distance of the disc's rim at the point to the nearest thing that is there at that frame, metres;
   /// negative when it touches it, infinite when nothing moves.
   double clearance(const Vec2& point, std::uint32_t frame);
