@@ -34,10 +34,6 @@ struct ArrivalTable::Building {
   StateSet closed;
   std::vector<std::uint32_t> ofNode;  ///< How many arrivals a node has.
 
-  double costOf(const SearchEdge& edge) const {
-    return cost.ofGoing(edge, framesPerSecond) + cost.ofTransitions(edge);
-  }
-
   void push(const Open& arrival) {
     if (arrival.costMetres > params.reachMetres || ofNode[arrival.node] == params.mostOfNode) return;
     heap.push(arrival.costMetres, static_cast<std::uint32_t>(open.size()));
@@ -61,12 +57,10 @@ struct ArrivalTable::Building {
         // Ways as captured will do: a walk's end is bent to the goal anyway.
         if (edge.bendRadians > 0.0) continue;
         const std::uint32_t index = graph.indexOf(edge);
-        const double whole = costOf(edge);
+        const double whole = cost.ofWay(edge, framesPerSecond);
         if (edge.to != SearchEdge::kNone) into[edge.to].push_back({node, index, whole});
         if (edge.settledSample == SearchEdge::kNone) continue;
-        const double share =
-            static_cast<double>(edge.settledSample + 1) / static_cast<double>(edge.sampleCount);
-        push({node, index, Arrival::kNone, share * whole});
+        push({node, index, Arrival::kNone, edge.settledShare() * whole});
       }
     }
   }

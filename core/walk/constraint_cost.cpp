@@ -67,7 +67,7 @@ double ConstraintCost::ofPace(const SearchTables& tables, std::uint32_t arrival)
   while (arrival != Arrival::kNone) {
     const Arrival& at = tables.arrivals[arrival];
     const SearchEdge& way = tables.graph.edges()[at.edge];
-    price += (at.next == Arrival::kNone ? settledShare(way) : 1.0) * ofPace(way);
+    price += (at.next == Arrival::kNone ? way.settledShare() : 1.0) * ofPace(way);
     arrival = at.next;
   }
   return price;

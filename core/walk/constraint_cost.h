@@ -15,11 +15,6 @@ inline constexpr double kRunMetresPerSecond = 1.9;
 /// Whether going at a speed keeps to the gait and speeds asked for; by up to 0.05 m/s off it does.
 bool keepsTo(const WalkConstraints& constraints, double metresPerSecond);
 
-/// The share of a way that is gone when the body has come to a stand, where it does.
-inline double settledShare(const SearchEdge& way) {
-  return static_cast<double>(way.settledSample + 1) / static_cast<double>(way.sampleCount);
-}
-
 /// What it costs a walk to go against what the scene asks for (constraints at run time, Alankus 2005,
 /// 4.2.2): wishes that are paid for, so that a walk keeps to them wherever it can and still arrives where it
 /// cannot, say while it starts and stops. Metres of cost. Borrows the constraints.

@@ -48,7 +48,8 @@ GuidedRun::GuidedRun(const MotionQuery& query, const GuidedSearchParams& params,
 MotionResult GuidedRun::search(std::span<const StartHeading> starts, std::uint64_t limit, double costBound) {
   costBound_ = costBound;
   weight_ = stage_.heuristicWeight;
-  double nextRaise = kFirstRaise + kRaisePerMetre * field_.metresToGoal(query_.start.position);
+  const double metres = field_.metresToGoal(query_.start.position);
+  double nextRaise = kFirstRaise + kRaisePerMetre * metres;
   MotionResult result;
   std::size_t ends = 0;
   if (query_.onward) {
@@ -59,7 +60,7 @@ MotionResult GuidedRun::search(std::span<const StartHeading> starts, std::uint64
     begin(starts_[begunStarts_++], true);
   }
   for (;;) {
-    if (!movingBegun_ && (open_.empty() || open_.least() >= leastMovingValue())) beginMoving();
+    if (!movingBegun_ && (open_.empty() || open_.least() >= leastMovingValue(metres))) beginMoving();
     if (open_.empty()) beginTurned();
     if (open_.empty()) break;
     const std::uint32_t id = open_.pop();
@@ -131,9 +132,8 @@ double GuidedRun::movingStartMetres() const {
 }
 
 /// About the least value of a state that a walk which begins in motion comes to first.
-double GuidedRun::leastMovingValue() const {
-  const double straight = query_.tables.steering.costPerMetre() * field_.metresToGoal(query_.start.position);
-  return movingStartMetres() + weight_ * straight;
+double GuidedRun::leastMovingValue(double metresToGoal) const {
+  return movingStartMetres() + weight_ * (query_.tables.steering.costPerMetre() * metresToGoal);
 }
 
 void GuidedRun::beginOnward(const Onward& onward) {

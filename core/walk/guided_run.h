@@ -69,7 +69,7 @@ class GuidedRun {
   void beginTurned();
   void beginMoving();
   double movingStartMetres() const;
-  double leastMovingValue() const;
+  double leastMovingValue(double metresToGoal) const;
   void beginOnward(const Onward& onward);
   void expand(std::uint32_t id);
   void reach(std::uint32_t parent, const State& from, const SearchEdge& edge);

@@ -12,6 +12,7 @@
 #include "path/polyline.h"
 #include "walk/guided_run.h"
 #include "walk/synthesis.h"
+#include "walk/walk_measures.h"
 
 namespace stridegraph {
 namespace {
@@ -235,11 +236,8 @@ class Cascade {
 
   bool isEnough(const MotionResult& walk) const {
     if (!query_.enoughRatio) return false;
-    const std::vector<FloorTransform> way = placementsAlong(query_.library, walk.path);
-    double metres = 0.0;
-    for (std::size_t f = 1; f < way.size(); ++f)
-      metres += (way[f].translation - way[f - 1].translation).norm();
-    return metres <= *query_.enoughRatio * field_.metresToGoal(query_.start.position);
+    return wayLength(placementsAlong(query_.library, walk.path)) <=
+           *query_.enoughRatio * field_.metresToGoal(query_.start.position);
   }
 
   MotionResult runOnce(GuidedRun& run, std::uint64_t limit, double costBound) {

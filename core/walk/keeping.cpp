@@ -1,6 +1,9 @@
 #include "walk/keeping.h"
 
 #include <algorithm>
+#include <span>
+
+#include "walk/walk_measures.h"
 
 namespace stridegraph {
 namespace {
@@ -44,9 +47,7 @@ bool nothingFreed(const Plan& walk, const Scene& scene) {
 }
 
 double metresLeft(const Plan& walk, std::size_t frame) {
-  double metres = 0.0;
-  for (std::size_t f = frame + 1; f < walk.way.size(); ++f)
-    metres += (walk.way[f].translation - walk.way[f - 1].translation).norm();
+  double metres = wayLength(std::span(walk.way).subspan(std::min(frame, walk.way.size())));
   for (const Plan& other : walk.others) metres += metresLeft(other, frame);
   return metres;
 }

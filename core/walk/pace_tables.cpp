@@ -48,7 +48,7 @@ Stands standsOf(const SearchGraph& graph, const CostOf& costOf) {
     for (const SearchEdge& edge : graph.edgesFrom(node)) {
       if (edge.to != SearchEdge::kNone) into[edge.to].emplace_back(node, graph.indexOf(edge));
       if (edge.settledSample == SearchEdge::kNone) continue;
-      const double share = settledShare(edge);
+      const double share = edge.settledShare();
       reach(node, share * costOf(edge), share * edge.lengthMetres);
     }
   }
@@ -125,9 +125,8 @@ std::shared_ptr<const PaceTable> PaceTables::make(const WalkConstraints& pace) c
   const WalkCost cost;
   const auto more = [&](const SearchEdge& way) { return wishes.ofPace(way); };
   PaceTable table{SteeringTable(graph_, cost, framesPerSecond_, more), {}};
-  Stands stands = standsOf(graph_, [&](const SearchEdge& way) {
-    return cost.ofGoing(way, framesPerSecond_) + cost.ofTransitions(way) + more(way);
-  });
+  Stands stands =
+      standsOf(graph_, [&](const SearchEdge& way) { return cost.ofWay(way, framesPerSecond_) + more(way); });
   table.stopMetres = leastStop(stands, table.steering, 0.0);
   table.unhurriedPerMetre = wishes.perSecondAt(kUnhurriedMetresPerSecond) / kUnhurriedMetresPerSecond;
   // Where no clip keeps the pace, the cheapest walk is the only one.

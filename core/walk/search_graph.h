@@ -27,6 +27,11 @@ struct SearchEdge {
   double bendRadians = 0.0;             ///< Turn that bending adds to it, to whichever side.
   std::uint32_t transitions = 0;        ///< Blends on it.
   double transitionDistanceMetres = 0.0;  ///< Sum of their distances.
+
+  /// The share of it that is gone when the body has come to a stand; only where it does.
+  double settledShare() const {
+    return static_cast<double>(settledSample + 1) / static_cast<double>(sampleCount);
+  }
 };
 
 /// A way to begin a walk.

@@ -159,7 +159,7 @@ class SteeringIteration {
 SteeringTable::SteeringTable(const SearchGraph& graph, const WalkCost& cost, double framesPerSecond,
                              const MoreCost& more) {
   const auto costOf = [&](const SearchEdge& way) {
-    return cost.ofGoing(way, framesPerSecond) + cost.ofTransitions(way) + (more ? more(way) : 0.0);
+    return cost.ofWay(way, framesPerSecond) + (more ? more(way) : 0.0);
   };
   SteeringIteration(graph, costOf, *this).run();
 }

@@ -22,6 +22,10 @@ struct WalkCost {
   double ofTransitions(const SearchEdge& edge) const {
     return perTransition * edge.transitions + perTransitionMetre * edge.transitionDistanceMetres;
   }
+  /// Of both.
+  double ofWay(const SearchEdge& edge, double framesPerSecond) const {
+    return ofGoing(edge, framesPerSecond) + ofTransitions(edge);
+  }
 };
 
 }  // namespace stridegraph

@@ -48,6 +48,12 @@ double rootPathLength(const Clip& walk) {
   return length;
 }
 
+double wayLength(std::span<const FloorTransform> way) {
+  double length = 0.0;
+  for (std::size_t f = 1; f < way.size(); ++f) length += (way[f].translation - way[f - 1].translation).norm();
+  return length;
+}
+
 double smallestClearance(const FloorPlan& plan, const Clip& walk) {
   double smallest = std::numeric_limits<double>::infinity();
   Vec2 looked = Vec2::Zero();

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "math/floor_transform.h"
 #include "motion/clip.h"
 #include "path/floor_plan.h"
 
@@ -10,6 +11,8 @@ namespace stridegraph {
 
 /// Length of the root's way over the floor, metres.
 double rootPathLength(const Clip& walk);
+/// The same of placements, frame by frame.
+double wayLength(std::span<const FloorTransform> way);
 
 /// Smallest distance of the root disc's rim to anything that stands, over all frames; negative when it
 /// touches.
