@@ -29,12 +29,12 @@ struct PinnedStance {
 
 /// Fastest change of a correction from frame to frame: a foot that the clip pulls along faster has let go.
 inline constexpr double kLargestPlaceSlope = 0.008;  // metres
-inline constexpr double kLargestTurnSlope = 0.05;    // rad
+inline constexpr double kLargestTurnSlope = 0.08;    // rad
 
 /// How far pins may pull.
 struct PinParams {
-  double farthestMetres = 0.05;           ///< Over the floor; a foot that wanders farther has moved.
-  Angle widestTurn = Angle::degrees(12);  ///< About the vertical.
+  double farthestMetres = 0.08;           ///< Over the floor; a foot that wanders farther has moved.
+  Angle widestTurn = Angle::degrees(25);  ///< About the vertical; bent ways turn bodies over their feet.
   double sameLevelMetres = 0.015;         ///< Stances so near their level stay at their own height.
   std::size_t leastFrames = 3;            ///< Shorter stances are touches, not stances.
 };

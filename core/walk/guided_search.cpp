@@ -57,7 +57,7 @@ constexpr GuidedStage kGreedy = {3.0, 1.0, 0.0, 0.2, 24, 60'000, 0.0};
 constexpr GuidedStage kPatient = {1.15, 1.15, 0.6, 0.3, 16, 80'000, 0.0};
 
 /// How far behind the front the search for a better walk looks, at first and by how much further each time,
-constexpr double kFirstWindowMetres = 1.5;
+constexpr double kFirstWindowMetres = 3.0;
 constexpr double kWindowGrowth = 1.5;
 /// and to what share it believes what was learned from the best walk.
 constexpr double kTrust = 0.5;

@@ -47,12 +47,12 @@ struct SearchStart {
 /// library; immutable.
 class SearchGraph {
  public:
-  /// By how much ways are bent: a curve of 1.9 m, as people walk it. A planted foot turns by about half of it
-  /// during a step; over all test maps feet slide no more than in the clips, and joints are driven less hard
-  /// than where the clips' own sharp turns have to do (measured up to 45 degrees).
-  static constexpr Angle kBendPerMetre = Angle::degrees(30.0);
-  /// Faster gaits are bent less: who goes round a curve leans, which bending does not show. Metres per
-  /// second squared, towards the curve's middle.
+  /// By how much ways are bent: a curve of 1 m, as people walk round a corner. The body turns by some 30
+  /// degrees over a planted foot, half of it before and half after it faces as the foot does. Over all test
+  /// maps feet slide as much as with half the bends, walks are shorter and no joint is driven harder; with more
+  /// of it walks hardly get shorter.
+  static constexpr Angle kBendPerMetre = Angle::degrees(60.0);
+  /// Faster gaits are bent less: metres per second squared, towards the curve's middle.
   static constexpr double kBendAcceleration = 1.5;
 
   explicit SearchGraph(const MotionLibrary& library);

@@ -23,7 +23,7 @@ class GuidedImprovement : public ::testing::Test {
   static FloorPlan roomWithBlocks(std::uint64_t seed) {
     Random random(seed);
     Scene scene;
-    for (int block = 0; block < 5; ++block)
+    for (int block = 0; block < 9; ++block)
       scene.obstacles.push_back({{random.uniform(3.5, 8.5), random.uniform(1.0, 11.0)}, {0.6, 0.6}});
     return FloorPlan(scene, 0.3);
   }
