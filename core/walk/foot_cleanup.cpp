@@ -8,6 +8,7 @@
 #include "walk/correction_blend.h"
 #include "walk/foot_roll.h"
 #include "walk/footprints.h"
+#include "walk/lean.h"
 
 namespace stridegraph {
 namespace {
@@ -121,15 +122,38 @@ void solveFrame(const Skeleton& skeleton, const FootAtWork& foot, std::size_t fr
   solveLeg(skeleton, foot.foot.leg, target, std::min(1.0, longestShare), hip, clip.rotationsOf(frame));
 }
 
-void count(const FootAtWork& foot, FootCleanupReport& report, std::size_t& frames) {
-  report.stances += foot.stances.size();
-  for (const PinnedStance& pinned : foot.stances) {
-    for (std::size_t f = pinned.stance.first; f <= pinned.stance.last; ++f, ++frames) {
-      const double moved = foot.corrections[f].head<3>().norm();
-      report.meanCorrectionMetres += moved;
-      report.worstCorrectionMetres = std::max(report.worstCorrectionMetres, moved);
+/// Leans the body, raises the root, and brings all feet where they should be.
+void bringIntoPlace(const Skeleton& skeleton, const std::vector<FootAtWork>& feet,
+                    std::span<const Lean> leans, std::span<const double> rises, Clip& clip) {
+  for (std::size_t f = 0; f < clip.frameCount(); ++f) {
+    const bool stays = leans[f].isUpright() && rises[f] == 0.0;
+    for (const FootAtWork& foot : feet) {
+      if (!stays || foot.corrections[f] != FootCorrection::Zero())
+        solveFrame(skeleton, foot, f, rises[f], clip);
+    }
+    if (stays) continue;
+    clip.rootPositions[f].y() += rises[f];
+    if (leans[f].isUpright()) continue;
+    Quat& root = clip.rotationsOf(f)[0];
+    root = (leans[f].turn * root).normalized();
+  }
+}
+
+FootCleanupReport reportOf(const std::vector<FootAtWork>& feet) {
+  FootCleanupReport report;
+  std::size_t frames = 0;
+  for (const FootAtWork& foot : feet) {
+    report.stances += foot.stances.size();
+    for (const PinnedStance& pinned : foot.stances) {
+      for (std::size_t f = pinned.stance.first; f <= pinned.stance.last; ++f, ++frames) {
+        const double moved = foot.corrections[f].head<3>().norm();
+        report.meanCorrectionMetres += moved;
+        report.worstCorrectionMetres = std::max(report.worstCorrectionMetres, moved);
+      }
     }
   }
+  if (frames > 0) report.meanCorrectionMetres /= static_cast<double>(frames);
+  return report;
 }
 
 }  // namespace
@@ -150,34 +174,28 @@ FootCleanup::FootCleanup(const MotionLibrary& library)
 }
 
 FootCleanupReport FootCleanup::apply(const MotionLibrary& library, SynthesisedWalk& walk) const {
-  FootCleanupReport report;
-  report.feetLeftAlone = feet_.withoutLeg;
   Clip& clip = walk.clip;
-  std::size_t frames = 0;
+  const std::vector<Lean> leans =
+      balancingLeans(walk.accelerations, clip.rootPositions, clip.framesPerSecond);
   std::vector<FootAtWork> feet;
   for (const WalkFoot& foot : feet_.feet) {
     FootAtWork& work =
         feet.emplace_back(FootAtWork{foot, trackFoot(library, foot, clip, walk.contacts), {}, {}, {}, {}});
     for (const std::size_t k : foot.contacts) work.levels.push_back(levelsMetres_[k]);
-    work.stances = pinStances(work.track, work.levels);
     work.reach = reachOf(work);
+    leanOver(leans, clip.rootPositions, work.track);
+    work.stances = pinStances(work.track, work.levels);
   }
   std::vector<double> rises = rootShifts(feet, clip);
+  for (std::size_t f = 0; f < rises.size(); ++f) rises[f] -= leans[f].rootSinks;
   for (FootAtWork& work : feet) correct(rises, clip, work);
   const std::vector<double> lowering = rootLowering(feet, rises, clip);
   for (std::size_t f = 0; f < rises.size(); ++f) rises[f] -= lowering[f];
-  for (FootAtWork& work : feet) {
-    correct(rises, clip, work);
-    count(work, report, frames);
-  }
-  if (frames > 0) report.meanCorrectionMetres /= static_cast<double>(frames);
-  for (std::size_t f = 0; f < clip.frameCount(); ++f) {
-    report.worstLoweringMetres = std::max(report.worstLoweringMetres, lowering[f]);
-    if (rises[f] != 0.0) clip.rootPositions[f].y() += rises[f];
-    for (const FootAtWork& foot : feet)
-      if (rises[f] != 0.0 || foot.corrections[f] != FootCorrection::Zero())
-        solveFrame(library.skeleton, foot, f, rises[f], clip);
-  }
+  for (FootAtWork& work : feet) correct(rises, clip, work);
+  bringIntoPlace(library.skeleton, feet, leans, rises, clip);
+  FootCleanupReport report = reportOf(feet);
+  report.feetLeftAlone = feet_.withoutLeg;
+  report.worstLoweringMetres = lowering.empty() ? 0.0 : *std::max_element(lowering.begin(), lowering.end());
   return report;
 }
 

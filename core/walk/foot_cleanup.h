@@ -21,9 +21,10 @@ struct FootCleanupReport {
 /// Takes out what blends and warped floors leave to be seen of a walk's feet (Kovar, Schreiner and Gleicher
 /// 2002). Planted feet are pinned to one place for each stance; corrections fade in and out before and after;
 /// legs are solved in closed form; the root goes up and down with what the standing feet need, slowly, and is
-/// lowered where a leg would get straighter than it should. Feet that sink below the floor are lifted.
+/// lowered where a leg would get straighter than it should. Feet that sink below the floor are lifted. Where
+/// the walk is bent the body leans into the curve over its feet (Lean).
 /// Nothing else changes: frames that need no correction stay as they are bit for bit, and so do all joints
-/// outside the legs and the root's place over the floor. Made once for a library; immutable.
+/// outside the legs and the root's place over the floor; the root's rotation where nothing is bent. Made once for a library; immutable.
 class FootCleanup {
  public:
   explicit FootCleanup(const MotionLibrary& library);

@@ -53,6 +53,12 @@ ContactMask contactsAt(const MotionLibrary& library, const MotionPiece& piece, s
                                      : library.contacts[to - piece.targetSpan + framesInto(piece.targetSpan)];
 }
 
+/// The acceleration over the floor, m/s2, that an added turn means for a body that moves by this in a frame.
+Vec2 accelerationOf(const Vec2& moved, Angle turnPerMetre, double framesPerSecond) {
+  const Vec2 towardsMiddle(moved.y(), -moved.x());
+  return turnPerMetre.radians() * moved.norm() * framesPerSecond * framesPerSecond * towardsMiddle;
+}
+
 }  // namespace
 
 std::vector<FloorTransform> placementsAlong(const MotionLibrary& library, const MotionPath& path) {
@@ -75,22 +81,26 @@ SynthesisedWalk synthesise(const MotionLibrary& library, const MotionPath& path)
   walk.placements.reserve(frameCount);
   walk.frameKinds.reserve(frameCount);
   walk.contacts.reserve(frameCount);
-  visitFrames(library, path,
-              [&](const WalkStep& step, const PieceMotion& motion, const FloorTransform& roomFromPiece,
-                  std::uint32_t position, const FloorTransform& placement) {
-                const MotionPiece& piece = step.piece;
-                const std::size_t frame = walk.placements.size();
-                Vec3& root = walk.clip.rootPositions[frame];
-                const std::span<Quat> rotations = walk.clip.rotationsOf(frame);
-                motion.pose(position, root, rotations);
-                root = roomFromPiece.apply(root);
-                rotations[0] = (roomFromPiece.heading.rotation() * rotations[0]).normalized();
-                walk.placements.push_back(placement);
-                const bool blended =
-                    piece.kind == EdgeKind::kTransition && position > 0 && position < piece.frames;
-                walk.frameKinds.push_back(blended ? EdgeKind::kTransition : EdgeKind::kClipPiece);
-                walk.contacts.push_back(contactsAt(library, piece, position));
-              });
+  walk.accelerations.reserve(frameCount);
+  visitFrames(
+      library, path,
+      [&](const WalkStep& step, const PieceMotion& motion, const FloorTransform& roomFromPiece,
+          std::uint32_t position, const FloorTransform& placement) {
+        const MotionPiece& piece = step.piece;
+        const std::size_t frame = walk.placements.size();
+        Vec3& root = walk.clip.rootPositions[frame];
+        const std::span<Quat> rotations = walk.clip.rotationsOf(frame);
+        motion.pose(position, root, rotations);
+        root = roomFromPiece.apply(root);
+        rotations[0] = (roomFromPiece.heading.rotation() * rotations[0]).normalized();
+        const Vec2 moved =
+            frame == 0 ? Vec2::Zero() : Vec2(placement.translation - walk.placements.back().translation);
+        walk.accelerations.push_back(accelerationOf(moved, step.turnPerMetre, walk.clip.framesPerSecond));
+        walk.placements.push_back(placement);
+        const bool blended = piece.kind == EdgeKind::kTransition && position > 0 && position < piece.frames;
+        walk.frameKinds.push_back(blended ? EdgeKind::kTransition : EdgeKind::kClipPiece);
+        walk.contacts.push_back(contactsAt(library, piece, position));
+      });
   return walk;
 }
 

@@ -14,6 +14,7 @@ struct SynthesisedWalk {
   std::vector<FloorTransform> placements;  ///< One for each frame: placementsAlong() the path.
   std::vector<EdgeKind> frameKinds;        ///< One for each frame: captured, or blended in a transition.
   std::vector<ContactMask> contacts;       ///< One for each frame, bits as in MotionLibrary::contactJoints.
+  std::vector<Vec2> accelerations;         ///< One for each frame: what bending adds over the floor, m/s2.
 };
 
 /// Placements (root on the floor, facing) of all frames that a path shows, in the room.

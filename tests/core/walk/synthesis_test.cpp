@@ -58,6 +58,21 @@ TEST(Synthesise, laysBentStepsOutOnAnArc) {
   }
 }
 
+TEST(Synthesise, tellsWhatBendingAccelerates) {
+  const MotionLibrary library = threeArcs();
+  const SynthesisedWalk walk = synthesise(library, straightBent());
+  const double speed = kStepMetres * library.frames.framesPerSecond;
+  EXPECT_EQ(walk.accelerations.size(), walk.clip.frameCount());
+  EXPECT_EQ(walk.accelerations[0], Vec2(0, 0));
+  for (std::size_t f = 1; f <= 12; ++f) {
+    const Vec2 moved = walk.placements[f].translation - walk.placements[f - 1].translation;
+    const Vec2 middle = {moved.y(), -moved.x()};  // A growing heading turns from +z towards +x.
+    const double expected = Angle::degrees(20).radians() * speed * speed;
+    EXPECT_NEAR((walk.accelerations[f] - expected * middle.normalized()).norm(), 0.0, 1e-6) << f;
+  }
+  for (const Vec2& added : synthesise(library, turnLeft()).accelerations) EXPECT_EQ(added, Vec2(0, 0));
+}
+
 TEST(Synthesise, bendsTheWayThatTheSearchHasBent) {
   const MotionLibrary library = threeArcs();
   const SearchGraph graph(library);

@@ -50,6 +50,7 @@ inline void appendFrame(SynthesisedWalk& walk, const Pose& pose, ContactMask con
   walk.clip.jointCount = pose.rotations.size();
   walk.clip.append(pose.view());
   walk.contacts.push_back(contacts);
+  walk.accelerations.emplace_back(Vec2::Zero());
   walk.frameKinds.push_back(EdgeKind::kClipPiece);
 }
 
