@@ -24,7 +24,8 @@ struct FootCleanupReport {
 /// lowered where a leg would get straighter than it should. Feet that sink below the floor are lifted. Where
 /// the walk is bent the body leans into the curve over its feet (Lean).
 /// Nothing else changes: frames that need no correction stay as they are bit for bit, and so do all joints
-/// outside the legs and the root's place over the floor; the root's rotation where nothing is bent. Made once for a library; immutable.
+/// outside the legs and the root's place over the floor; the root's rotation where nothing is bent. Made once
+/// for a library; immutable.
 class FootCleanup {
  public:
   explicit FootCleanup(const MotionLibrary& library);

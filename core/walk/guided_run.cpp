@@ -153,7 +153,10 @@ void GuidedRun::expand(std::uint32_t id) {
     trouble_.nearest = state.placement.translation;
   }
   if (end_.standing) openArrival(id, state);
-  for (const SearchEdge& edge : query_.tables.graph.edgesFrom(state.node)) reach(id, state, edge);
+  const SearchGraph& graph = query_.tables.graph;
+  for (const SearchEdge& edge :
+       stage_.bendsTransitions ? graph.edgesFrom(state.node) : graph.usualEdgesFrom(state.node))
+    reach(id, state, edge);
 }
 
 /// Opens the state at the end of a way, and the walk's end on it if there is one. Whether the way is free is

@@ -44,17 +44,35 @@ std::vector<StartHeading> startHeadings(const MotionQuery& query, const GuidedSe
   return headings;
 }
 
-/// Stages: weight, its growth, factor on transitions, cells, headings, expansions, and more for each metre.
-constexpr GuidedStage kUsual = {1.02, 1.04, 1.0, 0.2, 24, 40'000, 250.0};
+/// The first attempt. With half the ways it is twice as fast, and what it finds is hardly longer.
+constexpr GuidedStage kUsual = {.heuristicWeight = 1.02, .bendsTransitions = false};
 /// Where others move: what they cost is not in the estimate, so little greed finds nothing soon, and places
 /// are there at many times, so there have to be fewer of them.
-constexpr GuidedStage kAmongMovers = {1.15, 1.15, 1.0, 0.3, 16, 8'000, 250.0, 400.0};
+constexpr GuidedStage kAmongMovers = {.heuristicWeight = 1.15,
+                                      .weightGrowth = 1.15,
+                                      .bendsTransitions = false,
+                                      .cellMetres = 0.3,
+                                      .headingCells = 16,
+                                      .maxExpansions = 8'000,
+                                      .expansionsPerMover = 400.0};
 /// When a stage has run through all states.
-constexpr GuidedStage kFiner = {1.2, 1.04, 1.0, 0.1, 48, 150'000, 250.0};
+constexpr GuidedStage kFiner = {
+    .heuristicWeight = 1.2, .cellMetres = 0.1, .headingCells = 48, .maxExpansions = 150'000};
 /// When the budget ran out.
-constexpr GuidedStage kGreedy = {3.0, 1.0, 0.0, 0.2, 24, 60'000, 0.0};
+constexpr GuidedStage kGreedy = {.heuristicWeight = 3.0,
+                                 .weightGrowth = 1.0,
+                                 .transitionFactor = 0.0,
+                                 .maxExpansions = 60'000,
+                                 .expansionsPerMetre = 0.0};
 /// The same where others move: who has to wait needs many steps, not greed.
-constexpr GuidedStage kPatient = {1.15, 1.15, 0.6, 0.3, 16, 80'000, 0.0};
+constexpr GuidedStage kPatient = {.heuristicWeight = 1.15,
+                                  .weightGrowth = 1.15,
+                                  .transitionFactor = 0.6,
+                                  .bendsTransitions = false,
+                                  .cellMetres = 0.3,
+                                  .headingCells = 16,
+                                  .maxExpansions = 80'000,
+                                  .expansionsPerMetre = 0.0};
 
 /// How far behind the front the search for a better walk looks, at first and by how much further each time,
 constexpr double kFirstWindowMetres = 3.0;
@@ -221,6 +239,7 @@ class Cascade {
     GuidedStage stage = stage_;
     stage.heuristicWeight = 1.0;
     stage.weightGrowth = 1.0;
+    stage.bendsTransitions = true;
     costToGo_.trust(kTrust);
     std::uint64_t left = query_.improvementExpansions;
     bool more = true;

@@ -48,12 +48,7 @@ class SearchGraphBuilder {
     addEdges();
     addRunsOut();
     findDecisions();
-    for (const std::uint32_t node : decisions_) {
-      graph_.firstEdge_.push_back(static_cast<std::uint32_t>(graph_.edges_.size()));
-      for (const std::uint32_t link : linksFrom_[node]) {
-        for (const SearchEdge& way : waysAlong(links_[link], 0)) graph_.edges_.push_back(way);
-      }
-    }
+    for (const std::uint32_t node : decisions_) addWaysFrom(node);
     graph_.firstEdge_.push_back(static_cast<std::uint32_t>(graph_.edges_.size()));
     for (const SearchEdge& edge : graph_.edges_) {
       graph_.canEndStanding_ = graph_.canEndStanding_ || edge.settledSample != kNone;
@@ -108,6 +103,24 @@ class SearchGraphBuilder {
     graph_.decisionAt_.assign(library_.frames.frameCount(), kNone);
     for (std::size_t n = 0; n < decisionOf_.size(); ++n)
       graph_.decisionAt_[library_.graph.nodes[n].value] = decisionOf_[n];
+  }
+
+  void addWaysFrom(std::uint32_t node) {
+    std::vector<SearchEdge> ways;
+    for (const std::uint32_t link : linksFrom_[node]) {
+      for (const SearchEdge& way : waysAlong(links_[link], 0)) ways.push_back(way);
+    }
+    // A node where nothing else is bent needs its bent transitions.
+    const bool bendsOthers = std::any_of(ways.begin(), ways.end(), [](const SearchEdge& way) {
+      return way.bendRadians > 0.0 && way.transitions == 0;
+    });
+    const auto usualEnd = std::stable_partition(ways.begin(), ways.end(), [&](const SearchEdge& way) {
+      return !bendsOthers || way.bendRadians == 0.0 || way.transitions == 0;
+    });
+    const auto first = static_cast<std::uint32_t>(graph_.edges_.size());
+    graph_.firstEdge_.push_back(first);
+    graph_.usualEnd_.push_back(first + static_cast<std::uint32_t>(usualEnd - ways.begin()));
+    graph_.edges_.insert(graph_.edges_.end(), ways.begin(), ways.end());
   }
 
   /// The ways along a link from a position on it: as captured, and bent to either side where they lead on.
@@ -226,6 +239,10 @@ SearchGraph::SearchGraph(const MotionLibrary& library) {
 
 std::span<const SearchEdge> SearchGraph::edgesFrom(std::size_t node) const {
   return std::span(edges_).subspan(firstEdge_[node], firstEdge_[node + 1] - firstEdge_[node]);
+}
+
+std::span<const SearchEdge> SearchGraph::usualEdgesFrom(std::size_t node) const {
+  return std::span(edges_).subspan(firstEdge_[node], usualEnd_[node] - firstEdge_[node]);
 }
 
 std::span<const Eigen::Vector2f> SearchGraph::samplesOf(const SearchEdge& edge) const {

@@ -49,8 +49,8 @@ class SearchGraph {
  public:
   /// By how much ways are bent: a curve of 1 m, as people walk round a corner. The body turns by some 30
   /// degrees over a planted foot, half of it before and half after it faces as the foot does. Over all test
-  /// maps feet slide as much as with half the bends, walks are shorter and no joint is driven harder; with more
-  /// of it walks hardly get shorter.
+  /// maps feet slide as much as with half the bends, walks are shorter and no joint is driven harder; with
+  /// more of it walks hardly get shorter.
   static constexpr Angle kBendPerMetre = Angle::degrees(60.0);
   /// Faster gaits are bent less: metres per second squared, towards the curve's middle.
   static constexpr double kBendAcceleration = 1.5;
@@ -67,6 +67,9 @@ class SearchGraph {
   std::uint32_t decisionAt(FrameIndex frame) const { return decisionAt_[frame.value]; }
   /// Ways on from a decision node.
   std::span<const SearchEdge> edgesFrom(std::size_t node) const;
+  /// Those of them that do not bend transitions, where any others are bent: half as many, and walks along
+  /// them are hardly longer.
+  std::span<const SearchEdge> usualEdgesFrom(std::size_t node) const;
   /// Ways to begin: from a captured frame to the next decision node. Not from each: neighbours begin walks
   /// that hardly differ.
   std::span<const SearchStart> starts() const { return starts_; }
@@ -88,6 +91,7 @@ class SearchGraph {
   friend class SearchGraphBuilder;
   std::vector<SearchEdge> edges_;
   std::vector<std::uint32_t> firstEdge_;
+  std::vector<std::uint32_t> usualEnd_;    ///< For each node, behind its last usual edge.
   std::vector<std::uint32_t> decisionAt_;  ///< For each frame of the library.
   std::vector<SearchStart> starts_;
   std::vector<Eigen::Vector2f> samples_;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "walk/test_gait_library.h"
@@ -41,26 +42,64 @@ TEST(SearchGraph, samplesEndWhereTheWayEnds) {
   }
 }
 
+/// The ways of a graph that play the same frames as a captured one, bent to the left and to the right.
+std::array<const SearchEdge*, 2> bentLike(const SearchGraph& graph, std::size_t node,
+                                          const SearchEdge& captured) {
+  std::array<const SearchEdge*, 2> bent{};
+  for (const SearchEdge& way : graph.edgesFrom(node)) {
+    if (way.bendRadians == 0.0 || way.to != captured.to || way.stepCount != captured.stepCount) continue;
+    const bool left = graph.stepsOf(way).front().turnPerMetre > Angle{};
+    bent[left ? 0 : 1] = &way;
+  }
+  return bent;
+}
+
 TEST(SearchGraph, bentWaysPlayTheSameFramesAndTurnFurtherWithEveryMetre) {
   MotionLibrary library = threeArcs();
   library.frames.framesPerSecond = 20.0;  // 1 m/s: not so fast that it is bent less.
   const SearchGraph graph(library);
+  std::size_t seen = 0;
   for (std::size_t node = 0; node < graph.nodeCount(); ++node) {
-    const auto ways = graph.edgesFrom(node);
-    for (std::size_t way = 0; way < ways.size(); way += 3) {
-      const SearchEdge& captured = ways[way];
-      EXPECT_EQ(captured.bendRadians, 0.0);
-      for (const int side : {1, -1}) {
-        const SearchEdge& bent = ways[side > 0 ? way + 1 : way + 2];
-        EXPECT_EQ(bent.to, captured.to);
-        EXPECT_EQ(bent.sampleCount, captured.sampleCount);
-        EXPECT_NEAR(bent.lengthMetres, captured.lengthMetres, 1e-9);
-        const double added = (bent.end.heading - captured.end.heading).angle().degrees();
-        EXPECT_NEAR(added, side * 60.0 * captured.lengthMetres, 1e-6);
-        EXPECT_NEAR(bent.bendRadians, std::abs(Angle::degrees(added).radians()), 1e-9);
+    for (const SearchEdge& captured : graph.edgesFrom(node)) {
+      if (captured.bendRadians > 0.0) continue;
+      ++seen;
+      double degrees = 60.0 * captured.lengthMetres;
+      for (const SearchEdge* bent : bentLike(graph, node, captured)) {
+        ASSERT_NE(bent, nullptr);
+        EXPECT_EQ(bent->sampleCount, captured.sampleCount);
+        EXPECT_NEAR(bent->lengthMetres, captured.lengthMetres, 1e-9);
+        const double added = (bent->end.heading - captured.end.heading).angle().degrees();
+        EXPECT_NEAR(added, degrees, 1e-6);
+        EXPECT_NEAR(bent->bendRadians, std::abs(Angle::degrees(added).radians()), 1e-9);
+        degrees = -degrees;
       }
     }
   }
+  EXPECT_EQ(seen, 9U);
+}
+
+TEST(SearchGraph, usuallyBendsNoTransitionWhereAnythingElseIsBent) {
+  const SearchGraph graph(testing::gaitPlanner().library());
+  std::size_t rare = 0;
+  for (std::size_t node = 0; node < graph.nodeCount(); ++node) {
+    const auto usual = graph.usualEdgesFrom(node);
+    const auto all = graph.edgesFrom(node);
+    ASSERT_EQ(usual.data(), all.data());
+    const bool bendsOthers = std::any_of(all.begin(), all.end(), [](const SearchEdge& way) {
+      return way.bendRadians > 0.0 && way.transitions == 0;
+    });
+    for (std::size_t way = 0; way < all.size(); ++way) {
+      const bool bentTransition = all[way].bendRadians > 0.0 && all[way].transitions > 0;
+      EXPECT_EQ(way >= usual.size(), bendsOthers && bentTransition);
+    }
+    rare += all.size() - usual.size();
+  }
+  EXPECT_GT(rare, 0U);
+}
+
+TEST(SearchGraph, bendsTransitionsWhereThereIsNothingElse) {
+  const SearchGraph graph(threeArcs());
+  EXPECT_EQ(graph.usualEdgesFrom(0).size(), graph.edgesFrom(0).size());
 }
 
 TEST(SearchGraph, bendsNoWayThatEndsTheWalk) {
@@ -76,7 +115,7 @@ TEST(SearchGraph, bendsFastGaitsLess) {
   const SearchGraph graph(library);
   const SearchEdge& captured = graph.edgesFrom(0)[0];
   // 3 m/s: 1.5 m/s2 there are a curve of 6 m.
-  EXPECT_NEAR(graph.edgesFrom(0)[1].bendRadians, captured.lengthMetres / 6.0, 1e-9);
+  EXPECT_NEAR(bentLike(graph, 0, captured)[0]->bendRadians, captured.lengthMetres / 6.0, 1e-9);
 }
 
 TEST(SearchGraph, offersEveryEighthMovingFrameAsAStartBentToEitherSide) {
