@@ -10,15 +10,8 @@ namespace stridegraph {
 
 /// Dijkstra's algorithm backwards from all stands.
 struct ArrivalTable::Building {
-  /// A way that leads to a node.
-  struct Into {
-    std::uint32_t from = 0;
-    std::uint32_t edge = 0;
-    double costMetres = 0.0;
-  };
   /// An arrival before its turn has come: where it ends is worked out then, for most never.
   struct Open {
-    std::uint32_t node = 0;
     std::uint32_t edge = 0;
     std::uint32_t next = Arrival::kNone;
     double costMetres = 0.0;
@@ -28,16 +21,19 @@ struct ArrivalTable::Building {
   const WalkCost& cost;
   double framesPerSecond;
   const Params& params;
-  std::vector<std::vector<Into>> into;  ///< For each node.
   std::vector<Open> open;
   SearchHeap heap;
   StateSet closed;
   std::vector<std::uint32_t> ofNode;  ///< How many arrivals a node has.
 
-  void push(const Open& arrival) {
-    if (arrival.costMetres > params.reachMetres || ofNode[arrival.node] == params.mostOfNode) return;
-    heap.push(arrival.costMetres, static_cast<std::uint32_t>(open.size()));
-    open.push_back(arrival);
+  /// Opens the arrival that goes this way, some share of it, and then on with one that is known.
+  void push(const SearchEdge& edge, double share, std::uint32_t next, double costMetres) {
+    // Ways as captured will do: a walk's end is bent to the goal anyway.
+    if (edge.bendRadians > 0.0 || ofNode[edge.from] == params.mostOfNode) return;
+    const double whole = share * cost.ofWay(edge, framesPerSecond) + costMetres;
+    if (whole > params.reachMetres) return;
+    heap.push(whole, static_cast<std::uint32_t>(open.size()));
+    open.push_back({graph.indexOf(edge), next, whole});
   }
 
   std::uint64_t key(std::uint32_t node, const FloorTransform& end) const {
@@ -49,38 +45,25 @@ struct ArrivalTable::Building {
     return ((node * 0x4000ULL + x) * 0x4000ULL + z) * 0x100ULL + turn;
   }
 
-  void begin() {
-    into.resize(graph.nodeCount());
-    ofNode.assign(graph.nodeCount(), 0);
-    for (std::uint32_t node = 0; node < graph.nodeCount(); ++node) {
-      for (const SearchEdge& edge : graph.edgesFrom(node)) {
-        // Ways as captured will do: a walk's end is bent to the goal anyway.
-        if (edge.bendRadians > 0.0) continue;
-        const std::uint32_t index = graph.indexOf(edge);
-        const double whole = cost.ofWay(edge, framesPerSecond);
-        if (edge.to != SearchEdge::kNone) into[edge.to].push_back({node, index, whole});
-        if (edge.settledSample == SearchEdge::kNone) continue;
-        push({node, index, Arrival::kNone, edge.settledShare() * whole});
-      }
-    }
-  }
-
   /// Fills the table; returns the node of each arrival.
   std::vector<std::uint32_t> run(std::vector<Arrival>& arrivals) {
     std::vector<std::uint32_t> nodeOf;
-    begin();
+    ofNode.assign(graph.nodeCount(), 0);
+    for (const SearchEdge& edge : graph.edges())
+      if (edge.settledSample != SearchEdge::kNone) push(edge, edge.settledShare(), Arrival::kNone, 0.0);
     while (!heap.empty()) {
       const Open at = open[heap.pop()];
-      if (ofNode[at.node] == params.mostOfNode) continue;
       const SearchEdge& edge = graph.edges()[at.edge];
+      if (ofNode[edge.from] == params.mostOfNode) continue;
       const FloorTransform end =
           at.next == Arrival::kNone ? edge.settledEnd : edge.end * arrivals[at.next].end;
-      if (!closed.insert(key(at.node, end))) continue;
-      ++ofNode[at.node];
+      if (!closed.insert(key(edge.from, end))) continue;
+      ++ofNode[edge.from];
       const auto next = static_cast<std::uint32_t>(arrivals.size());
       arrivals.push_back({end, at.costMetres, at.edge, at.next});
-      nodeOf.push_back(at.node);
-      for (const Into& way : into[at.node]) push({way.from, way.edge, next, at.costMetres + way.costMetres});
+      nodeOf.push_back(edge.from);
+      for (const std::uint32_t way : graph.edgesInto(edge.from))
+        push(graph.edges()[way], 1.0, next, at.costMetres);
     }
     return nodeOf;
   }
@@ -89,7 +72,7 @@ struct ArrivalTable::Building {
 ArrivalTable::ArrivalTable(const SearchGraph& graph, const WalkCost& cost, double framesPerSecond,
                            const Params& params)
     : reachMetres_(params.reachMetres), least_(graph.nodeCount(), params.reachMetres) {
-  Building building{graph, cost, framesPerSecond, params, {}, {}, {}, {}, {}};
+  Building building{graph, cost, framesPerSecond, params, {}, {}, {}, {}};
   const std::vector<std::uint32_t> nodeOf = building.run(arrivals_);
   for (std::size_t a = 0; a < arrivals_.size(); ++a) {
     double& least = least_[nodeOf[a]];

@@ -19,6 +19,16 @@ struct Arrival {
   std::uint32_t next = kNone;  ///< The arrival to go on with; kNone where `edge` itself comes to the stand.
 };
 
+/// One of the ways that an arrival goes.
+struct ArrivalWay {
+  const SearchEdge& edge;
+  bool stops = false;  ///< The last one: it is over where the body has come to a stand.
+
+  std::uint32_t samples() const { return stops ? edge.settledSample + 1 : edge.sampleCount; }
+  double share() const { return stops ? edge.settledShare() : 1.0; }
+  const FloorTransform& end() const { return stops ? edge.settledEnd : edge.end; }
+};
+
 /// Ways to come to a stand, for every decision node of a library, so that a search need not hit upon the goal
 /// by going on blindly: seen from a node near the goal, it looks up which way ends there (the analytic
 /// expansion of hybrid-state A*, Dolgov et al. 2008, with a table in place of a formula). Found backwards
@@ -41,6 +51,15 @@ class ArrivalTable {
   /// Arrivals of a node whose stand lies within `radiusMetres` of a point, seen from the node; cheapest
   /// first.
   std::vector<std::uint32_t> near(std::uint32_t node, const Vec2& point, double radiusMetres) const;
+  /// Calls visit(way) for the ways of an arrival, in turn, as long as it returns true; whether it always did.
+  template <typename Visit>
+  bool visitWays(const SearchGraph& graph, std::uint32_t arrival, const Visit& visit) const {
+    for (; arrival != Arrival::kNone; arrival = arrivals_[arrival].next) {
+      const Arrival& at = arrivals_[arrival];
+      if (!visit(ArrivalWay{graph.edges()[at.edge], at.next == Arrival::kNone})) return false;
+    }
+    return true;
+  }
   /// What coming to a stand takes at least from a node; the table's reach where it knows no way.
   double leastMetres(std::uint32_t node) const { return least_[node]; }
   double reachMetres() const { return reachMetres_; }

@@ -64,12 +64,10 @@ double ConstraintCost::ofPace(const SearchEdge& way) const {
 
 double ConstraintCost::ofPace(const SearchTables& tables, std::uint32_t arrival) const {
   double price = 0.0;
-  while (arrival != Arrival::kNone) {
-    const Arrival& at = tables.arrivals[arrival];
-    const SearchEdge& way = tables.graph.edges()[at.edge];
-    price += (at.next == Arrival::kNone ? way.settledShare() : 1.0) * ofPace(way);
-    arrival = at.next;
-  }
+  tables.arrivals.visitWays(tables.graph, arrival, [&](const ArrivalWay& way) {
+    price += way.share() * ofPace(way.edge);
+    return true;
+  });
   return price;
 }
 

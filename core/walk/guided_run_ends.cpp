@@ -17,10 +17,10 @@ constexpr double kMissCost = 2.0;
 /// An end is judged by so many metres before it, more than would be bent.
 constexpr double kJudgedMetres = 9.0;
 
-/// Appends a way, cut off behind one of its samples.
-void appendWay(const SearchGraph& graph, const SearchEdge& way, std::uint32_t lastSample,
+/// Appends a way as far as it has so many samples.
+void appendWay(const SearchGraph& graph, const SearchEdge& way, std::uint32_t samples,
                std::vector<WalkStep>& steps) {
-  std::uint32_t left = lastSample == SearchEdge::kNone ? way.sampleCount : lastSample + 1;
+  std::uint32_t left = samples;
   for (WalkStep step : graph.stepsOf(way)) {
     step.end = step.begin + std::min(step.end - step.begin, left);
     left -= step.end - step.begin;
@@ -115,16 +115,14 @@ void GuidedRun::openArrival(std::uint32_t parent, const State& state) {
 }
 
 bool GuidedRun::isFree(FloorTransform from, std::uint32_t frame, std::uint32_t arrival) {
-  const ArrivalTable& arrivals = query_.tables.arrivals;
-  for (; arrival != kNone; arrival = arrivals[arrival].next) {
-    const Arrival& at = arrivals[arrival];
-    const SearchEdge& edge = query_.tables.graph.edges()[at.edge];
-    const std::uint32_t samples = at.next == kNone ? edge.settledSample + 1 : edge.sampleCount;
-    if (frame + samples > lastFrame_ || !isFree(from, frame, edge, samples)) return false;
-    from = from * (at.next == kNone ? edge.settledEnd : edge.end);
-    frame += samples;
-  }
-  return mayStay(from.translation, frame);
+  const SearchTables& tables = query_.tables;
+  const bool free = tables.arrivals.visitWays(tables.graph, arrival, [&](const ArrivalWay& way) {
+    if (frame + way.samples() > lastFrame_ || !isFree(from, frame, way.edge, way.samples())) return false;
+    from = from * way.end();
+    frame += way.samples();
+    return true;
+  });
+  return free && mayStay(from.translation, frame);
 }
 
 /// Whether nobody who walks comes to a place where this one stands from a frame on.
@@ -149,15 +147,17 @@ MotionPath GuidedRun::pathTo(std::uint32_t id, std::uint32_t from) const {
     path.start = query_.onward ? query_.onward->placement
                                : FloorTransform{query_.start.position, startOf_[chain.back()]};
   }
+  const SearchGraph& graph = query_.tables.graph;
   for (auto it = chain.rbegin(); it != chain.rend(); ++it) {
     const State& state = states_[*it];
-    if (state.via != nullptr) appendWay(query_.tables.graph, *state.via, state.goalSample, path.steps);
+    if (state.via == nullptr) continue;
+    const std::uint32_t samples = state.goalSample == kNone ? state.via->sampleCount : state.goalSample + 1;
+    appendWay(graph, *state.via, samples, path.steps);
   }
-  for (std::uint32_t a = states_[id].arrival; a != kNone; a = query_.tables.arrivals[a].next) {
-    const SearchEdge& edge = query_.tables.graph.edges()[query_.tables.arrivals[a].edge];
-    const bool last = query_.tables.arrivals[a].next == kNone;
-    appendWay(query_.tables.graph, edge, last ? edge.settledSample : kNone, path.steps);
-  }
+  query_.tables.arrivals.visitWays(graph, states_[id].arrival, [&](const ArrivalWay& way) {
+    appendWay(graph, way.edge, way.samples(), path.steps);
+    return true;
+  });
   return path;
 }
 

@@ -34,7 +34,6 @@ Stands standsOf(const SearchGraph& graph, const CostOf& costOf) {
   Stands stands;
   stands.cost.assign(graph.nodeCount(), std::numeric_limits<double>::infinity());
   stands.metres.assign(graph.nodeCount(), 0.0);
-  std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> into(graph.nodeCount());
   SearchHeap heap;
   std::vector<std::uint32_t> nodes;
   const auto reach = [&](std::uint32_t node, double cost, double metres) {
@@ -44,19 +43,16 @@ Stands standsOf(const SearchGraph& graph, const CostOf& costOf) {
     heap.push(cost, static_cast<std::uint32_t>(nodes.size()));
     nodes.push_back(node);
   };
-  for (std::uint32_t node = 0; node < graph.nodeCount(); ++node) {
-    for (const SearchEdge& edge : graph.edgesFrom(node)) {
-      if (edge.to != SearchEdge::kNone) into[edge.to].emplace_back(node, graph.indexOf(edge));
-      if (edge.settledSample == SearchEdge::kNone) continue;
-      const double share = edge.settledShare();
-      reach(node, share * costOf(edge), share * edge.lengthMetres);
-    }
+  for (const SearchEdge& edge : graph.edges()) {
+    if (edge.settledSample == SearchEdge::kNone) continue;
+    const double share = edge.settledShare();
+    reach(edge.from, share * costOf(edge), share * edge.lengthMetres);
   }
   while (!heap.empty()) {
     const std::uint32_t to = nodes[heap.pop()];
-    for (const auto& [node, index] : into[to]) {
+    for (const std::uint32_t index : graph.edgesInto(to)) {
       const SearchEdge& edge = graph.edges()[index];
-      reach(node, costOf(edge) + stands.cost[to], edge.lengthMetres + stands.metres[to]);
+      reach(edge.from, costOf(edge) + stands.cost[to], edge.lengthMetres + stands.metres[to]);
     }
   }
   return stands;

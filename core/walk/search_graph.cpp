@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "base/check.h"
 #include "graph/jerks.h"
@@ -50,6 +51,7 @@ class SearchGraphBuilder {
     findDecisions();
     for (const std::uint32_t node : decisions_) addWaysFrom(node);
     graph_.firstEdge_.push_back(static_cast<std::uint32_t>(graph_.edges_.size()));
+    indexByTarget();
     for (const SearchEdge& edge : graph_.edges_) {
       graph_.canEndStanding_ = graph_.canEndStanding_ || edge.settledSample != kNone;
       graph_.fastestMetresPerFrame_ =
@@ -108,7 +110,10 @@ class SearchGraphBuilder {
   void addWaysFrom(std::uint32_t node) {
     std::vector<SearchEdge> ways;
     for (const std::uint32_t link : linksFrom_[node]) {
-      for (const SearchEdge& way : waysAlong(links_[link], 0)) ways.push_back(way);
+      for (SearchEdge way : waysAlong(links_[link], 0)) {
+        way.from = decisionOf_[node];
+        ways.push_back(way);
+      }
     }
     // A node where nothing else is bent needs its bent transitions.
     const bool bendsOthers = std::any_of(ways.begin(), ways.end(), [](const SearchEdge& way) {
@@ -121,6 +126,17 @@ class SearchGraphBuilder {
     graph_.firstEdge_.push_back(first);
     graph_.usualEnd_.push_back(first + static_cast<std::uint32_t>(usualEnd - ways.begin()));
     graph_.edges_.insert(graph_.edges_.end(), ways.begin(), ways.end());
+  }
+
+  void indexByTarget() {
+    graph_.firstInto_.assign(graph_.nodeCount() + 1, 0);
+    for (const SearchEdge& edge : graph_.edges_)
+      if (edge.to != kNone) ++graph_.firstInto_[edge.to + 1];
+    std::partial_sum(graph_.firstInto_.begin(), graph_.firstInto_.end(), graph_.firstInto_.begin());
+    graph_.edgesInto_.resize(graph_.firstInto_.back());
+    std::vector<std::uint32_t> free(graph_.firstInto_.begin(), graph_.firstInto_.end() - 1);
+    for (const SearchEdge& edge : graph_.edges_)
+      if (edge.to != kNone) graph_.edgesInto_[free[edge.to]++] = graph_.indexOf(edge);
   }
 
   /// The ways along a link from a position on it: as captured, and bent to either side where they lead on.
@@ -243,6 +259,10 @@ std::span<const SearchEdge> SearchGraph::edgesFrom(std::size_t node) const {
 
 std::span<const SearchEdge> SearchGraph::usualEdgesFrom(std::size_t node) const {
   return std::span(edges_).subspan(firstEdge_[node], usualEnd_[node] - firstEdge_[node]);
+}
+
+std::span<const std::uint32_t> SearchGraph::edgesInto(std::size_t node) const {
+  return std::span(edgesInto_).subspan(firstInto_[node], firstInto_[node + 1] - firstInto_[node]);
 }
 
 std::span<const Eigen::Vector2f> SearchGraph::samplesOf(const SearchEdge& edge) const {

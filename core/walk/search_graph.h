@@ -15,17 +15,18 @@ namespace stridegraph {
 struct SearchEdge {
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
+  std::uint32_t from = kNone;  ///< Decision node where it begins; kNone of a way to begin a walk.
   std::uint32_t to = 0;  ///< Decision node reached; kNone where the clip ends: a walk may only end there.
   std::uint32_t firstSample = 0;  ///< Into SearchGraph::samples: one for each frame shown.
   std::uint32_t sampleCount = 0;
   std::uint32_t firstStep = 0;  ///< Into SearchGraph::steps: the pieces it runs along.
   std::uint32_t stepCount = 0;
   std::uint32_t settledSample = kNone;  ///< First sample at which the body has come to a stand.
+  std::uint32_t transitions = 0;        ///< Blends on it.
   FloorTransform settledEnd;            ///< Placement there, relative to the one at the edge's beginning.
   FloorTransform end;                   ///< Placement at the end, relative to the placement at its beginning.
   double lengthMetres = 0.0;            ///< Of the root's way over the floor.
   double bendRadians = 0.0;             ///< Turn that bending adds to it, to whichever side.
-  std::uint32_t transitions = 0;        ///< Blends on it.
   double transitionDistanceMetres = 0.0;  ///< Sum of their distances.
 
   /// The share of it that is gone when the body has come to a stand; only where it does.
@@ -70,6 +71,8 @@ class SearchGraph {
   /// Those of them that do not bend transitions, where any others are bent: half as many, and walks along
   /// them are hardly longer.
   std::span<const SearchEdge> usualEdgesFrom(std::size_t node) const;
+  /// Ways that lead to a decision node: their places in edges(), ascending.
+  std::span<const std::uint32_t> edgesInto(std::size_t node) const;
   /// Ways to begin: from a captured frame to the next decision node. Not from each: neighbours begin walks
   /// that hardly differ.
   std::span<const SearchStart> starts() const { return starts_; }
@@ -91,7 +94,9 @@ class SearchGraph {
   friend class SearchGraphBuilder;
   std::vector<SearchEdge> edges_;
   std::vector<std::uint32_t> firstEdge_;
-  std::vector<std::uint32_t> usualEnd_;    ///< For each node, behind its last usual edge.
+  std::vector<std::uint32_t> usualEnd_;  ///< For each node, behind its last usual edge.
+  std::vector<std::uint32_t> edgesInto_;
+  std::vector<std::uint32_t> firstInto_;   ///< For each node, into edgesInto_; and the end.
   std::vector<std::uint32_t> decisionAt_;  ///< For each frame of the library.
   std::vector<SearchStart> starts_;
   std::vector<Eigen::Vector2f> samples_;

@@ -97,6 +97,20 @@ TEST(SearchGraph, usuallyBendsNoTransitionWhereAnythingElseIsBent) {
   EXPECT_GT(rare, 0U);
 }
 
+TEST(SearchGraph, knowsItsWaysFromBothEnds) {
+  const SearchGraph graph(testing::gaitPlanner().library());
+  std::size_t into = 0;
+  for (std::uint32_t node = 0; node < graph.nodeCount(); ++node) {
+    for (const SearchEdge& way : graph.edgesFrom(node)) EXPECT_EQ(way.from, node);
+    for (const std::uint32_t way : graph.edgesInto(node)) EXPECT_EQ(graph.edges()[way].to, node);
+    into += graph.edgesInto(node).size();
+  }
+  const auto leadsOn = [](const SearchEdge& way) { return way.to != SearchEdge::kNone; };
+  EXPECT_EQ(into,
+            static_cast<std::size_t>(std::count_if(graph.edges().begin(), graph.edges().end(), leadsOn)));
+  for (const SearchStart& start : graph.starts()) EXPECT_EQ(start.edge.from, SearchEdge::kNone);
+}
+
 TEST(SearchGraph, bendsTransitionsWhereThereIsNothingElse) {
   const SearchGraph graph(threeArcs());
   EXPECT_EQ(graph.usualEdgesFrom(0).size(), graph.edgesFrom(0).size());
