@@ -99,7 +99,8 @@ bool GuidedRun::isLeftBehind(const State& state) {
 
 /// Begins with a heading, from a stand or in motion.
 void GuidedRun::begin(const StartHeading& start, bool standing) {
-  for (const SearchStart& first : query_.tables.graph.starts()) {
+  const SearchGraph& graph = query_.tables.graph;
+  for (const SearchStart& first : stage_.everyWay ? graph.starts() : graph.usualStarts()) {
     if (first.stands != standing) continue;
     State from;
     from.placement = {query_.start.position, start.heading};
@@ -155,7 +156,7 @@ void GuidedRun::expand(std::uint32_t id) {
   if (end_.standing) openArrival(id, state);
   const SearchGraph& graph = query_.tables.graph;
   for (const SearchEdge& edge :
-       stage_.bendsTransitions ? graph.edgesFrom(state.node) : graph.usualEdgesFrom(state.node))
+       stage_.everyWay ? graph.edgesFrom(state.node) : graph.usualEdgesFrom(state.node))
     reach(id, state, edge);
 }
 

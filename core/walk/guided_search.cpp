@@ -45,12 +45,12 @@ std::vector<StartHeading> startHeadings(const MotionQuery& query, const GuidedSe
 }
 
 /// The first attempt. With half the ways it is twice as fast, and what it finds is hardly longer.
-constexpr GuidedStage kUsual = {.heuristicWeight = 1.02, .bendsTransitions = false};
+constexpr GuidedStage kUsual = {.heuristicWeight = 1.02, .everyWay = false};
 /// Where others move: what they cost is not in the estimate, so little greed finds nothing soon, and places
 /// are there at many times, so there have to be fewer of them.
 constexpr GuidedStage kAmongMovers = {.heuristicWeight = 1.15,
                                       .weightGrowth = 1.15,
-                                      .bendsTransitions = false,
+                                      .everyWay = false,
                                       .cellMetres = 0.3,
                                       .headingCells = 16,
                                       .maxExpansions = 8'000,
@@ -68,7 +68,7 @@ constexpr GuidedStage kGreedy = {.heuristicWeight = 3.0,
 constexpr GuidedStage kPatient = {.heuristicWeight = 1.15,
                                   .weightGrowth = 1.15,
                                   .transitionFactor = 0.6,
-                                  .bendsTransitions = false,
+                                  .everyWay = false,
                                   .cellMetres = 0.3,
                                   .headingCells = 16,
                                   .maxExpansions = 80'000,
@@ -239,7 +239,7 @@ class Cascade {
     GuidedStage stage = stage_;
     stage.heuristicWeight = 1.0;
     stage.weightGrowth = 1.0;
-    stage.bendsTransitions = true;
+    stage.everyWay = true;
     costToGo_.trust(kTrust);
     std::uint64_t left = query_.improvementExpansions;
     bool more = true;

@@ -12,7 +12,7 @@ struct GuidedStage {
   double heuristicWeight = 1.2;     ///< w of weighted A* (Pohl 1970) at first;
   double weightGrowth = 1.04;       ///< grows by this factor as more and more states are looked at.
   double transitionFactor = 1.0;    ///< On the costs of transitions.
-  bool bendsTransitions = true;     ///< Else it goes usual ways only (SearchGraph::usualEdgesFrom).
+  bool everyWay = true;             ///< Else it begins and goes on in usual ways only (SearchGraph).
   double cellMetres = 0.2;          ///< States in the same cell, at the same node, count as one ...
   std::uint32_t headingCells = 24;  ///< ... when they also face the same of so many sectors.
   std::uint64_t maxExpansions = 40'000;

@@ -203,7 +203,9 @@ class SearchGraphBuilder {
       const bool offered = stands ? p % kStandingStartStride == 0 && !standsStill(link, p)
                                   : movingFrames_++ % kMovingStartStride == 0;
       if (!offered) continue;
-      for (const SearchEdge& way : waysAlong(link, p)) graph_.starts_.push_back({way, stands});
+      const bool usual = stands || movingStarts_++ % 2 == 0;
+      for (const SearchEdge& way : waysAlong(link, p))
+        (usual ? graph_.starts_ : rareStarts_).push_back({way, stands});
       graph_.canStartStanding_ = graph_.canStartStanding_ || stands;
     }
   }
@@ -236,6 +238,8 @@ class SearchGraphBuilder {
       const MotionPiece runIn = clipPiece(FrameIndex(first), nodes[n]);
       addStartsOn({runIn, pieceTrack(library_, runIn), static_cast<std::uint32_t>(n)});
     }
+    graph_.usualStartCount_ = graph_.starts_.size();
+    graph_.starts_.insert(graph_.starts_.end(), rareStarts_.begin(), rareStarts_.end());
   }
 
   const MotionLibrary& library_;
@@ -246,7 +250,9 @@ class SearchGraphBuilder {
   std::vector<std::vector<std::uint32_t>> linksFrom_;  ///< For each node of the library's graph.
   std::vector<std::uint32_t> decisionOf_;              ///< Library node -> decision node.
   std::vector<std::uint32_t> decisions_;               ///< Decision node -> library node.
-  std::uint32_t movingFrames_ = 0;                     ///< Seen so far that a walk could begin with.
+  std::uint32_t movingFrames_ = 0;                     ///< Seen so far that a walk could begin with,
+  std::uint32_t movingStarts_ = 0;                     ///< and offered.
+  std::vector<SearchStart> rareStarts_;
 };
 
 SearchGraph::SearchGraph(const MotionLibrary& library) {

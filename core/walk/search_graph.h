@@ -76,6 +76,8 @@ class SearchGraph {
   /// Ways to begin: from a captured frame to the next decision node. Not from each: neighbours begin walks
   /// that hardly differ.
   std::span<const SearchStart> starts() const { return starts_; }
+  /// Half of those in motion, and all from a stand: what rooms that are not tight can do with.
+  std::span<const SearchStart> usualStarts() const { return std::span(starts_).first(usualStartCount_); }
   /// Floor points of the root for each frame shown, relative to the placement at the edge's beginning.
   std::span<const Eigen::Vector2f> samplesOf(const SearchEdge& edge) const;
   /// Where the body faces at each of these, as (sin, cos) relative to the beginning.
@@ -98,7 +100,8 @@ class SearchGraph {
   std::vector<std::uint32_t> edgesInto_;
   std::vector<std::uint32_t> firstInto_;   ///< For each node, into edgesInto_; and the end.
   std::vector<std::uint32_t> decisionAt_;  ///< For each frame of the library.
-  std::vector<SearchStart> starts_;
+  std::vector<SearchStart> starts_;        ///< The usual ones first.
+  std::size_t usualStartCount_ = 0;
   std::vector<Eigen::Vector2f> samples_;
   std::vector<Eigen::Vector2f> headings_;
   std::vector<WalkStep> steps_;

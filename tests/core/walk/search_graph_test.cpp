@@ -97,6 +97,19 @@ TEST(SearchGraph, usuallyBendsNoTransitionWhereAnythingElseIsBent) {
   EXPECT_GT(rare, 0U);
 }
 
+TEST(SearchGraph, usuallyBeginsInHalfOfTheMovingFrames) {
+  const SearchGraph graph(testing::gaitPlanner().library());
+  const auto countOf = [](std::span<const SearchStart> starts, bool standing) {
+    return std::count_if(starts.begin(), starts.end(),
+                         [&](const SearchStart& start) { return start.stands == standing; });
+  };
+  EXPECT_EQ(graph.usualStarts().data(), graph.starts().data());
+  EXPECT_EQ(countOf(graph.usualStarts(), true), countOf(graph.starts(), true));
+  const double share = static_cast<double>(countOf(graph.usualStarts(), false)) /
+                       static_cast<double>(countOf(graph.starts(), false));
+  EXPECT_NEAR(share, 0.5, 0.01);
+}
+
 TEST(SearchGraph, knowsItsWaysFromBothEnds) {
   const SearchGraph graph(testing::gaitPlanner().library());
   std::size_t into = 0;
@@ -136,17 +149,19 @@ TEST(SearchGraph, offersEveryEighthMovingFrameAsAStartBentToEitherSide) {
   const SearchGraph graph(threeArcs());
   // There are 12 on each of three pieces from frame 14 on, and 14 on the runs in from frame 0.
   ASSERT_EQ(graph.starts().size(), 10U * 3U);
-  const SearchEdge& second = graph.starts()[3].edge;
+  // Every other one is usual, and those come first.
+  ASSERT_EQ(graph.usualStarts().size(), 5U * 3U);
+  const SearchEdge& second = graph.starts()[15].edge;
   EXPECT_EQ(graph.stepsOf(second)[0].piece.from.value, 14U);
   EXPECT_EQ(graph.stepsOf(second)[0].begin, 8U);
   EXPECT_EQ(second.sampleCount, 4U);
   EXPECT_EQ(second.bendRadians, 0.0);
-  for (const std::size_t bent : {4U, 5U}) {
+  for (const std::size_t bent : {16U, 17U}) {
     EXPECT_EQ(graph.stepsOf(graph.starts()[bent].edge)[0].begin, 8U);
     EXPECT_GT(graph.starts()[bent].edge.bendRadians, 0.0);
   }
   // The sixth is the fifth frame of the first run in, before the first node of its clip.
-  const SearchEdge& runIn = graph.starts()[15].edge;
+  const SearchEdge& runIn = graph.starts()[21].edge;
   EXPECT_EQ(graph.stepsOf(runIn)[0].piece.from.value, 0U);
   EXPECT_EQ(graph.stepsOf(runIn)[0].piece.to.value, 14U);
   EXPECT_EQ(runIn.sampleCount, 10U + 12U);
