@@ -65,6 +65,35 @@ void keepWorst(double ratio, std::size_t frame, std::size_t joint, WorstRatio& w
   worst = {ratio, frame, JointIndex(joint)};
 }
 
+/// Calls onSpeed and onAcceleration(ratio, frame, joint) for all turns of a span but those that are surely
+/// below the ratios that bounds() tells for speed and acceleration: arc tangents are taken only where a bound
+/// says that they matter.
+template <typename Bounds, typename OnSpeed, typename OnAcceleration>
+void visitTurns(const MotionLimits& limits, const ClipSpan& span, const Bounds& bounds,
+                const OnSpeed& onSpeed, const OnAcceleration& onAcceleration) {
+  const Clip& clip = *span.clip;
+  STRIDEGRAPH_CHECK(limits.speeds.size() == clip.jointCount);
+  const std::vector<double> speeds = perFrame(limits.speeds, clip.framesPerSecond);
+  const std::vector<double> accelerations =
+      perFrame(limits.accelerations, clip.framesPerSecond * clip.framesPerSecond);
+  std::vector<HalfTurn> before(clip.jointCount);
+  for (std::size_t f = span.first; f < span.last; ++f) {
+    const Quat* const here = clip.rotations.data() + f * clip.jointCount;
+    for (std::size_t j = 1; j < clip.jointCount; ++j) {
+      const HalfTurn half = halfTurn(here[j], here[clip.jointCount + j]);
+      if (!staysBelow(bounds().first * speeds[j], half.sine, half.slack))
+        onSpeed(turnVelocity(clip, f, j).norm() / limits.speeds[j], f + 1, j);
+      const double bound = bounds().second * accelerations[j];
+      if (f > span.first && !staysBelow(bound, half.sine - before[j].sine, half.slack + before[j].slack)) {
+        const double acceleration =
+            (turnVelocity(clip, f, j) - turnVelocity(clip, f - 1, j)).norm() * clip.framesPerSecond;
+        onAcceleration(acceleration / limits.accelerations[j], f, j);
+      }
+      before[j] = half;
+    }
+  }
+}
+
 }  // namespace
 
 TurnRates turnRates(const ClipSpan& span, JointIndex joint) {
@@ -116,28 +145,24 @@ MotionLimits motionLimits(std::span<const ClipSpan> clips) {
 WorstRatios worstRatios(const MotionLimits& limits, const Clip& clip) {
   WorstRatios worst;
   if (clip.frameCount() == 0) return worst;
-  STRIDEGRAPH_CHECK(limits.speeds.size() == clip.jointCount);
-  const std::vector<double> speeds = perFrame(limits.speeds, clip.framesPerSecond);
-  const std::vector<double> accelerations =
-      perFrame(limits.accelerations, clip.framesPerSecond * clip.framesPerSecond);
-  std::vector<HalfTurn> before(clip.jointCount);
-  for (std::size_t f = 0; f + 1 < clip.frameCount(); ++f) {
-    const Quat* const here = clip.rotations.data() + f * clip.jointCount;
-    for (std::size_t j = 1; j < clip.jointCount; ++j) {
-      const HalfTurn half = halfTurn(here[j], here[clip.jointCount + j]);
-      // Arc tangents are taken only where a bound says that the worst may be worse.
-      if (!staysBelow(worst.speed.ratio * speeds[j], half.sine, half.slack))
-        keepWorst(turnVelocity(clip, f, j).norm() / limits.speeds[j], f + 1, j, worst.speed);
-      const double bound = worst.acceleration.ratio * accelerations[j];
-      if (f > 0 && !staysBelow(bound, half.sine - before[j].sine, half.slack + before[j].slack)) {
-        const double acceleration =
-            (turnVelocity(clip, f, j) - turnVelocity(clip, f - 1, j)).norm() * clip.framesPerSecond;
-        keepWorst(acceleration / limits.accelerations[j], f, j, worst.acceleration);
-      }
-      before[j] = half;
-    }
-  }
+  visitTurns(
+      limits, wholeOf(clip), [&] { return std::pair(worst.speed.ratio, worst.acceleration.ratio); },
+      [&](double ratio, std::size_t frame, std::size_t joint) {
+        keepWorst(ratio, frame, joint, worst.speed);
+      },
+      [&](double ratio, std::size_t frame, std::size_t joint) {
+        keepWorst(ratio, frame, joint, worst.acceleration);
+      });
   return worst;
+}
+
+void visitRatios(const MotionLimits& limits, const ClipSpan& span, double least,
+                 const std::function<void(std::size_t, double)>& visit) {
+  const auto tell = [&](double ratio, std::size_t frame, std::size_t) {
+    if (ratio > least) visit(frame, ratio);
+  };
+  visitTurns(
+      limits, span, [&] { return std::pair(least, least); }, tell, tell);
 }
 
 }  // namespace stridegraph

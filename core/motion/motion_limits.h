@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -46,5 +47,10 @@ struct WorstRatios {
   WorstRatio speed, acceleration;
 };
 WorstRatios worstRatios(const MotionLimits& limits, const Clip& clip);
+
+/// Calls visit(frame of the clip, ratio) wherever a joint goes beyond `least` (> 0) times its limit within a
+/// span.
+void visitRatios(const MotionLimits& limits, const ClipSpan& span, double least,
+                 const std::function<void(std::size_t, double)>& visit);
 
 }  // namespace stridegraph

@@ -98,7 +98,7 @@ std::shared_ptr<const Hurry> PaceTables::hurry() {
 std::shared_ptr<const Hurry> PaceTables::makeHurry() const {
   WalkCost cost;
   cost.perSecond = kHurryPerSecond;
-  cost.perRadian = cost.perTransition = cost.perTransitionMetre = 0.0;
+  cost.perRadian = cost.perStrain = cost.perTransition = cost.perTransitionMetre = 0.0;
   const SteeringTable steering(graph_, cost, framesPerSecond_);
   const Stands stands =
       standsOf(graph_, [&](const SearchEdge& way) { return cost.ofGoing(way, framesPerSecond_); });

@@ -15,6 +15,17 @@ TransitionBlend blendOf(const MotionLibrary& library, const MotionPiece& piece) 
 
 }  // namespace
 
+std::size_t capturedFrameAt(const MotionPiece& piece, std::size_t position) {
+  const std::size_t from = piece.from.value;
+  if (piece.kind == EdgeKind::kClipPiece) return from + position;
+  const double progress = blendProgress(piece.sourceSpan, piece.targetSpan, piece.frames, position);
+  const auto framesInto = [&](std::uint32_t span) {
+    return static_cast<std::size_t>(progress * static_cast<double>(span) + 0.5);
+  };
+  return 2 * position < piece.frames ? from + framesInto(piece.sourceSpan)
+                                     : piece.to.value - piece.targetSpan + framesInto(piece.targetSpan);
+}
+
 PieceMotion::PieceMotion(const MotionLibrary& library, const MotionPiece& piece)
     : library_(library), from_(piece.from.value) {
   if (piece.kind == EdgeKind::kTransition) blended_.emplace(blendOf(library, piece));

@@ -15,6 +15,9 @@ namespace stridegraph {
 /// positions 0..frames (frames + 1 of them; the first is the identity).
 std::vector<FloorTransform> pieceTrack(const MotionLibrary& library, const MotionPiece& piece);
 
+/// The library's frame that a piece shows at a position; in a blend, of the clip that weighs more.
+std::size_t capturedFrameAt(const MotionPiece& piece, std::size_t position);
+
 /// A piece read position by position, 0..frames. Bodies stand as in the library on a clip piece, and as in
 /// the world of the source clip on a transition. Borrows the library.
 class PieceMotion {

@@ -154,10 +154,10 @@ class WalkPlanner {
 
  private:
   std::shared_ptr<const MotionLibrary> library_;
+  SourceFigures sources_;
   SearchTables tables_;
   std::unique_ptr<PaceTables> paces_;
   FootCleanup feet_;
-  SourceFigures sources_;
 };
 
 /// The report as the JSON object of DESIGN, section 4.

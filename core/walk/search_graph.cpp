@@ -41,8 +41,12 @@ struct Link {
 
 class SearchGraphBuilder {
  public:
-  SearchGraphBuilder(const MotionLibrary& library, SearchGraph& graph)
-      : library_(library), graph_(graph), standing_(standingFrames(library)), jerks_(findJerks(library)) {}
+  SearchGraphBuilder(const MotionLibrary& library, const MotionLimits& limits, SearchGraph& graph)
+      : library_(library),
+        graph_(graph),
+        standing_(standingFrames(library)),
+        jerks_(findJerks(library)),
+        strains_(frameStrains(library, limits)) {}
 
   void build() {
     STRIDEGRAPH_CHECK(!library_.graph.nodes.empty());
@@ -192,6 +196,7 @@ class SearchGraphBuilder {
         way.settledSample = static_cast<std::uint32_t>(graph_.samples_.size()) - way.firstSample;
         way.settledEnd = way.end;
       }
+      way.strain += static_cast<double>(strains_[capturedFrameAt(link.piece, p)]);
       graph_.samples_.push_back(way.end.translation.cast<float>());
       graph_.headings_.push_back(way.end.heading.direction().cast<float>());
     }
@@ -245,7 +250,8 @@ class SearchGraphBuilder {
   const MotionLibrary& library_;
   SearchGraph& graph_;
   std::vector<Standing> standing_;
-  std::vector<Jerk> jerks_;  ///< The graph avoids them; ways outside of it have to as well.
+  std::vector<Jerk> jerks_;     ///< The graph avoids them; ways outside of it have to as well.
+  std::vector<float> strains_;  ///< Of each frame of the library.
   std::vector<Link> links_;
   std::vector<std::vector<std::uint32_t>> linksFrom_;  ///< For each node of the library's graph.
   std::vector<std::uint32_t> decisionOf_;              ///< Library node -> decision node.
@@ -255,8 +261,8 @@ class SearchGraphBuilder {
   std::vector<SearchStart> rareStarts_;
 };
 
-SearchGraph::SearchGraph(const MotionLibrary& library) {
-  SearchGraphBuilder(library, *this).build();
+SearchGraph::SearchGraph(const MotionLibrary& library, const MotionLimits& limits) {
+  SearchGraphBuilder(library, limits, *this).build();
 }
 
 std::span<const SearchEdge> SearchGraph::edgesFrom(std::size_t node) const {

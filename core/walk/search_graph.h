@@ -8,6 +8,7 @@
 #include "graph/library.h"
 #include "math/floor_transform.h"
 #include "walk/motion_path.h"
+#include "walk/strain.h"
 
 namespace stridegraph {
 
@@ -26,6 +27,7 @@ struct SearchEdge {
   FloorTransform settledEnd;            ///< Placement there, relative to the one at the edge's beginning.
   FloorTransform end;                   ///< Placement at the end, relative to the placement at its beginning.
   double lengthMetres = 0.0;            ///< Of the root's way over the floor.
+  double strain = 0.0;                  ///< Sum of its frames' (frameStrains).
   double bendRadians = 0.0;             ///< Turn that bending adds to it, to whichever side.
   double transitionDistanceMetres = 0.0;  ///< Sum of their distances.
 
@@ -56,7 +58,9 @@ class SearchGraph {
   /// Faster gaits are bent less: metres per second squared, towards the curve's middle.
   static constexpr double kBendAcceleration = 1.5;
 
-  explicit SearchGraph(const MotionLibrary& library);
+  explicit SearchGraph(const MotionLibrary& library) : SearchGraph(library, capturedLimits(library)) {}
+  /// With the limits that frames' strains are measured by.
+  SearchGraph(const MotionLibrary& library, const MotionLimits& limits);
 
   std::size_t nodeCount() const { return firstEdge_.size() - 1; }
   /// All ways between decision nodes, and their place in this list.

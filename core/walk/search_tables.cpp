@@ -2,8 +2,8 @@
 
 namespace stridegraph {
 
-SearchTables::SearchTables(const MotionLibrary& library)
-    : graph(library),
+SearchTables::SearchTables(const MotionLibrary& library, const MotionLimits& limits)
+    : graph(library, limits),
       arrivals(graph, WalkCost{}, library.frames.framesPerSecond, {}),
       steering(graph, WalkCost{}, library.frames.framesPerSecond) {}
 

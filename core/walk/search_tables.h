@@ -9,7 +9,8 @@ namespace stridegraph {
 /// All that the motion searches know of a library before they see a room. Built once; immutable; does not
 /// move, since its parts refer to one another.
 struct SearchTables {
-  explicit SearchTables(const MotionLibrary& library);
+  explicit SearchTables(const MotionLibrary& library) : SearchTables(library, capturedLimits(library)) {}
+  SearchTables(const MotionLibrary& library, const MotionLimits& limits);
   SearchTables(const SearchTables&) = delete;
   SearchTables& operator=(const SearchTables&) = delete;
 

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "graph/jerks.h"
+#include "walk/strain.h"
 #include "walk/walk_measures.h"
 
 namespace stridegraph {
@@ -11,7 +12,7 @@ namespace stridegraph {
 SourceFigures sourceFigures(const MotionLibrary& library) {
   const std::vector<ClipSpan> spans = clipSpans(library);
   SourceFigures figures;
-  figures.limits = motionLimits(spans);
+  figures.limits = capturedLimits(library);
   figures.footFloorsMetres.assign(library.contactJoints.size(), std::numeric_limits<double>::infinity());
   for (const ClipSpan& span : spans) {
     const FootPaths paths = footPaths(library.skeleton, span, library.contactJoints);

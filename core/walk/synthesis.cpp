@@ -39,20 +39,6 @@ void visitFrames(const MotionLibrary& library, const MotionPath& path, const Vis
   }
 }
 
-/// Contacts at a position on a piece: of the captured frame there, and in a blend of the clip that weighs
-/// more.
-ContactMask contactsAt(const MotionLibrary& library, const MotionPiece& piece, std::uint32_t position) {
-  const std::uint32_t from = piece.from.value;
-  const std::uint32_t to = piece.to.value;
-  if (piece.kind == EdgeKind::kClipPiece) return library.contacts[from + position];
-  const double progress = blendProgress(piece.sourceSpan, piece.targetSpan, piece.frames, position);
-  const auto framesInto = [&](std::uint32_t span) {
-    return static_cast<std::uint32_t>(progress * static_cast<double>(span) + 0.5);
-  };
-  return 2 * position < piece.frames ? library.contacts[from + framesInto(piece.sourceSpan)]
-                                     : library.contacts[to - piece.targetSpan + framesInto(piece.targetSpan)];
-}
-
 /// The acceleration over the floor, m/s2, that an added turn means for a body that moves by this in a frame.
 Vec2 accelerationOf(const Vec2& moved, Angle turnPerMetre, double framesPerSecond) {
   const Vec2 towardsMiddle(moved.y(), -moved.x());
@@ -99,7 +85,7 @@ SynthesisedWalk synthesise(const MotionLibrary& library, const MotionPath& path)
         walk.placements.push_back(placement);
         const bool blended = piece.kind == EdgeKind::kTransition && position > 0 && position < piece.frames;
         walk.frameKinds.push_back(blended ? EdgeKind::kTransition : EdgeKind::kClipPiece);
-        walk.contacts.push_back(contactsAt(library, piece, position));
+        walk.contacts.push_back(library.contacts[capturedFrameAt(piece, position)]);
       });
   return walk;
 }

@@ -8,6 +8,7 @@ namespace stridegraph {
 struct WalkCost {
   double perSecond = 0.05;        ///< Standing about is not free.
   double perRadian = 0.05;        ///< Of bending a way: as captured is best.
+  double perStrain = 3.0;         ///< Of driving joints harder than usual (frameStrains).
   double perTransition = 0.28;    ///< Else three quarters of all frames would be blends.
   double perTransitionMetre = 5;  ///< Times the transition's distance: good blends are preferred.
   double seedVariation = 0.02;    ///< A way costs up to this share more, by seed: other seeds, other walks.
@@ -15,7 +16,7 @@ struct WalkCost {
 
   /// Of going a way, before seeds vary it.
   double ofGoing(const SearchEdge& edge, double framesPerSecond) const {
-    return edge.lengthMetres + perRadian * edge.bendRadians +
+    return edge.lengthMetres + perRadian * edge.bendRadians + perStrain * edge.strain +
            perSecond * static_cast<double>(edge.sampleCount) / framesPerSecond;
   }
   /// Of the blends on it.

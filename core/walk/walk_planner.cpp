@@ -178,10 +178,10 @@ class Crowd {
 
 WalkPlanner::WalkPlanner(std::shared_ptr<const MotionLibrary> library)
     : library_(std::move(library)),
-      tables_(*library_),
+      sources_(sourceFigures(*library_)),
+      tables_(*library_, sources_.limits),
       paces_(std::make_unique<PaceTables>(tables_.graph, tables_.steering, library_->frames.framesPerSecond)),
-      feet_(*library_),
-      sources_(sourceFigures(*library_)) {}
+      feet_(*library_) {}
 
 Result<Plan> WalkPlanner::plan(const Scene& scene, const PlanOptions& options) const {
   if (auto checked = checkScene(scene); !checked) return fail(std::move(checked));

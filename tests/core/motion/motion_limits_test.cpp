@@ -121,6 +121,31 @@ TEST(WorstRatio, isZeroOfASingleFrame) {
   EXPECT_EQ(worstRatios(limits, withKneeAt({0})).acceleration.ratio, 0.0);
 }
 
+TEST(VisitRatios, tellsAllAboveABoundAndNoneBelow) {
+  Random random(9);
+  std::vector<double> degrees = {0.0};
+  for (int i = 0; i < 300; ++i) degrees.push_back(degrees.back() + random.uniform(-70.0, 70.0));
+  const Clip walk = withKneeAt(degrees);
+  const MotionLimits limits = limitsOf(withKneeAt({0, 1, 2}));
+  const ClipSpan span = {&walk, 100, 200};
+  const TurnRates rates = turnRates(span, JointIndex(kKnee));
+  const double least =
+      0.5 * *std::max_element(rates.speeds.begin(), rates.speeds.end()) / limits.speeds[kKnee];
+  std::vector<std::size_t> expected;
+  for (std::size_t step = 0; step < rates.speeds.size(); ++step) {
+    if (rates.speeds[step] > least * limits.speeds[kKnee]) expected.push_back(span.first + step + 1);
+    if (step > 0 && rates.accelerations[step - 1] > least * limits.accelerations[kKnee])
+      expected.push_back(span.first + step);
+  }
+  std::vector<std::size_t> told;
+  visitRatios(limits, span, least, [&](std::size_t frame, double ratio) {
+    EXPECT_GT(ratio, least);
+    told.push_back(frame);
+  });
+  EXPECT_GT(expected.size(), 10U);
+  EXPECT_EQ(told, expected);
+}
+
 TEST(MotionLimits, doNotLookAcrossTheEndsOfSpans) {
   const Clip clip = withKneeAt({0, 1, 2, 90, 91, 92});
   const std::vector<ClipSpan> spans = {{&clip, 0, 2}, {&clip, 3, 5}};
