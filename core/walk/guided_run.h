@@ -63,6 +63,11 @@ class GuidedRun {
     std::uint32_t goalSample = kNone;  ///< Sample of `via` at which the walk ends; kNone when it goes on.
     std::uint32_t arrival = kNone;     ///< The walk ends along this one; kNone when it does not.
     bool isEnd() const { return goalSample != kNone || arrival != kNone; }
+    /// How much of `via` the walk goes.
+    double shareOfVia() const {
+      if (goalSample == kNone) return 1.0;
+      return static_cast<double>(goalSample + 1) / static_cast<double>(via->sampleCount);
+    }
   };
 
   void begin(const StartHeading& start, bool standing);
@@ -93,6 +98,7 @@ class GuidedRun {
   bool outOfTime(std::uint64_t expansions) const;
   MotionPath pathTo(std::uint32_t id, std::uint32_t from) const;
   bool isAccepted(std::uint32_t id) const;
+  double blendMetres(std::uint32_t id) const;
   void take(std::uint32_t id, MotionResult& result);
 
   const MotionQuery& query_;

@@ -46,6 +46,7 @@ void GuidedRun::take(std::uint32_t id, MotionResult& result) {
   result.status = SearchStatus::kArrived;
   result.path = pathTo(id, kNone);
   result.costMetres = end.cost;
+  result.blendMetres = blendMetres(id);
   marks_.clear();
   for (std::uint32_t at = end.parent; at != kNone; at = states_[at].parent) {
     const State& state = states_[at];
@@ -54,6 +55,22 @@ void GuidedRun::take(std::uint32_t id, MotionResult& result) {
     const double left = end.cost - state.cost;
     marks_.push_back({metres, left - costToGo_.estimate(state.node, state.placement)});
   }
+}
+
+/// For how much of what the walk to an end costs its transitions count.
+double GuidedRun::blendMetres(std::uint32_t id) const {
+  const WalkCost& cost = params_.cost;
+  double metres = 0.0;
+  for (std::uint32_t at = id; at != kNone; at = states_[at].parent) {
+    const State& state = states_[at];
+    if (state.via == nullptr) continue;
+    metres += stage_.transitionFactor * state.shareOfVia() * cost.ofTransitions(*state.via);
+  }
+  query_.tables.arrivals.visitWays(query_.tables.graph, states_[id].arrival, [&](const ArrivalWay& way) {
+    metres += cost.ofTransitions(way.edge) * way.share();
+    return true;
+  });
+  return metres;
 }
 
 /// Opens the end of the walk on a way where one of its samples will do: the one nearest to the goal.
@@ -80,8 +97,7 @@ void GuidedRun::openEndOn(std::uint32_t parent, const State& from, const SearchE
     end.goalSample = s;
   }
   if (end.goalSample == kNone || from.frame + end.goalSample + 1 > lastFrame_) return;
-  end.cost += kMissCost * nearest + costOf(placement, edge) * static_cast<double>(end.goalSample + 1) /
-                                        static_cast<double>(edge.sampleCount);
+  end.cost += kMissCost * nearest + costOf(placement, edge) * end.shareOfVia();
   open(end, 0.0);
 }
 

@@ -45,7 +45,7 @@ std::vector<StartHeading> startHeadings(const MotionQuery& query, const GuidedSe
 }
 
 /// The first attempt. With half the ways it is twice as fast, and what it finds is hardly longer.
-constexpr GuidedStage kUsual = {.heuristicWeight = 1.02, .everyWay = false};
+constexpr GuidedStage kUsual = {.heuristicWeight = 1.1, .everyWay = false};
 /// Where others move: what they cost is not in the estimate, so little greed finds nothing soon, and places
 /// are there at many times, so there have to be fewer of them.
 constexpr GuidedStage kAmongMovers = {.heuristicWeight = 1.15,
@@ -74,11 +74,20 @@ constexpr GuidedStage kPatient = {.heuristicWeight = 1.15,
                                   .maxExpansions = 80'000,
                                   .expansionsPerMetre = 0.0};
 
-/// How far behind the front the search for a better walk looks, at first and by how much further each time,
+/// Better walks are sought without greed and in finer cells, and blends count for less.
+constexpr GuidedStage kBetter = {.heuristicWeight = 1.0,
+                                 .weightGrowth = 1.0,
+                                 .transitionFactor = 0.5,
+                                 .cellMetres = 0.1,
+                                 .headingCells = 48};
+/// How far behind the front the search for them looks, at first and by how much further each time,
 constexpr double kFirstWindowMetres = 3.0;
 constexpr double kWindowGrowth = 1.5;
 /// and to what share it believes what was learned from the best walk.
 constexpr double kTrust = 0.5;
+/// The share to which blends of the first walk count for what a better one may cost: at half their price next
+/// to none is found soon, at their whole price walks take many more blends for little.
+constexpr double kBlendsOfFirst = 0.75;
 
 /// A search that came no nearer to the goal than this, metres of way, was not kept from it by how to end
 /// there.
@@ -217,11 +226,10 @@ class Cascade {
   }
 
   MotionResult seek(const WalkEnd& end) {
-    const bool meets = query_.traffic != nullptr && !query_.traffic->empty();
-    MotionResult result = tryStage(meets ? kAmongMovers : kUsual, end);
+    MotionResult result = tryStage(meetsOthers() ? kAmongMovers : kUsual, end);
     if (result.status == SearchStatus::kNoMotion) result = tryStage(kFiner, end);
     if (result.status == SearchStatus::kBudgetSpent && !outOfTime())
-      result = tryStage(meets ? kPatient : kGreedy, end);
+      result = tryStage(meetsOthers() ? kPatient : kGreedy, end);
     return result;
   }
 
@@ -236,20 +244,24 @@ class Cascade {
 
   /// Looks for better walks than the first until the budget is spent, or nothing is left to look at.
   void improve(MotionResult& best, const WalkEnd& end) {
-    GuidedStage stage = stage_;
-    stage.heuristicWeight = 1.0;
-    stage.weightGrowth = 1.0;
-    stage.everyWay = true;
+    GuidedStage stage = kBetter;
+    if (meetsOthers()) {
+      stage.cellMetres = stage_.cellMetres;
+      stage.headingCells = stage_.headingCells;
+    }
     costToGo_.trust(kTrust);
     std::uint64_t left = query_.improvementExpansions;
+    double bound = best.goingMetres() + kBlendsOfFirst * best.blendMetres;
     bool more = true;
     for (stage.windowMetres = kFirstWindowMetres; more && left > 0 && !outOfTime() && !isEnough(best);
          stage.windowMetres *= kWindowGrowth) {
       GuidedRun run(query_, params_, stage, costToGo_, field_, end);
-      MotionResult found = runOnce(run, left, best.costMetres - kWorthMetres);
+      MotionResult found = runOnce(run, left, bound - kWorthMetres);
       left -= std::min(left, found.expansions);
       more = found.status == SearchStatus::kArrived || run.leftBehind();
-      if (found.status == SearchStatus::kArrived) best = std::move(found);
+      if (found.status != SearchStatus::kArrived) continue;
+      bound = found.costMetres;
+      best = std::move(found);
     }
   }
 
@@ -267,6 +279,7 @@ class Cascade {
     return result;
   }
 
+  bool meetsOthers() const { return query_.traffic != nullptr && !query_.traffic->empty(); }
   bool outOfTime() const { return query_.outOfTime && query_.outOfTime(); }
 
   WalkConstraints wishes_;

@@ -35,10 +35,11 @@ struct GuidedSearchParams {
 /// motion only when a stage with fine cells has run through every state it can reach.
 ///
 /// With expansions left for improvement it searches again, each time for a walk that costs less than the best
-/// so far: without greed, but only so far behind the front, and further behind it each time (Anytime Window
-/// A*, Aine, Chakrabarti and Kumar 2007; here the front is the state nearest to the goal instead of the
-/// deepest). Estimates have learned from the best walk what the room costs (Adaptive A*, Koenig and Likhachev
-/// 2005; here by distance from the goal and to a share, since neither estimate is a bound).
+/// so far, with blends at half their price: without greed, but only so far behind the front, and further
+/// behind it each time (Anytime Window A*, Aine, Chakrabarti and Kumar 2007; here the front is the state
+/// nearest to the goal instead of the deepest). Estimates have learned from the best walk what the room costs
+/// (Adaptive A*, Koenig and Likhachev 2005; here by distance from the goal and to a share, since neither
+/// estimate is a bound).
 MotionResult guidedSearch(const MotionQuery& query, const GuidedSearchParams& params = {});
 
 }  // namespace stridegraph

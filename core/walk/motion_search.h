@@ -77,12 +77,16 @@ enum class SearchStatus { kArrived, kNoMotion, kBudgetSpent };
 struct MotionResult {
   SearchStatus status = SearchStatus::kNoMotion;
   MotionPath path;               ///< Without steps unless arrived.
-  double costMetres = 0.0;       ///< Of the path, by WalkCost.
+  double costMetres = 0.0;       ///< Of the path, by WalkCost,
+  double blendMetres = 0.0;      ///< and for how much of it its transitions count.
   std::uint64_t expansions = 0;  ///< States whose ways on were looked at.
   std::string explanation;       ///< When not arrived: what stood in the way.
   /// From start to goal, where the scene's areas lead the search another way than the query's path; else
   /// empty.
   std::vector<Vec2> way;
+
+  /// What going the path costs, whatever price its transitions have.
+  double goingMetres() const { return costMetres - blendMetres; }
 };
 
 /// Runs the search of that kind.
