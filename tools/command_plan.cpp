@@ -11,7 +11,7 @@
 #include "motion/bvh_writer.h"
 #include "motion/glb_writer.h"
 #include "scene/scene_json.h"
-#include "walk/plan.h"
+#include "walk/walk_planner.h"
 #include "wall_clock.h"
 
 namespace stridegraph::tools {

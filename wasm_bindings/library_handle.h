@@ -6,7 +6,7 @@
 #include <string>
 
 #include "graph/library.h"
-#include "walk/plan.h"
+#include "walk/walk_planner.h"
 
 namespace stridegraph::bindings {
 

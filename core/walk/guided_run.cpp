@@ -3,17 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace stridegraph {
 namespace {
 
 constexpr std::uint64_t kExpansionsBetweenTimeChecks = 256;
+constexpr std::uint64_t kUnlimited = std::numeric_limits<std::uint64_t>::max();
 
 /// States so near in time are one where time matters.
 constexpr std::uint32_t kFramesTogether = 15;
-
-/// Ends looked at before the first is taken though it is not accepted, or none.
-constexpr std::size_t kEndsTried = 80;
 
 /// The weight grows for the first time after so many states, and so many more for each metre to the goal;
 /// then whenever their number has grown by this factor. It costs next to nothing, since what was reached
@@ -28,39 +27,48 @@ constexpr double kBelievedShare = 0.9;
 
 }  // namespace
 
-GuidedRun::GuidedRun(const MotionQuery& query, const GuidedSearchParams& params, const GuidedStage& stage,
-                     CostToGo& costToGo, const DistanceField& field, const WalkEnd& end)
-    : query_(query), params_(params), stage_(stage), costToGo_(costToGo), field_(field), end_(end) {
-  const double framesPerSecond = query.library.frames.framesPerSecond;
-  if (query.constraints->any()) {
-    wishes_.emplace(*query.constraints, framesPerSecond);
-    if (const std::optional<double>& latest = query.constraints->latestArrivalSeconds) {
+GuidedRun::GuidedRun(GuidedTask& task, const GuidedSearchParams& params, const GuidedStage& stage,
+                     const WalkEnd& end)
+    : query_(task.query()),
+      params_(params),
+      stage_(stage),
+      costToGo_(task.costToGo()),
+      field_(task.field()),
+      end_(end) {
+  const WalkConstraints& constraints = *query_.constraints;
+  const double framesPerSecond = query_.library.frames.framesPerSecond;
+  if (constraints.any()) {
+    wishes_.emplace(constraints, framesPerSecond);
+    if (const std::optional<double>& latest = constraints.latestArrivalSeconds) {
       lastFrame_ = static_cast<std::uint32_t>(*latest * framesPerSecond);
-      hurry_ = query.paces->hurry();
+      hurry_ = query_.paces->hurry();
     }
   }
-  timed_ = lastFrame_ != kNone || (query.traffic != nullptr && !query.traffic->empty());
-  if (!end.facing || !query.goal.heading) return;
-  goalHeading_ = Heading::fromAngle(*query.goal.heading);
-  goalCosine_ = Heading::fromAngle(query.goalTurn).cos;
+  timed_ = lastFrame_ != kNone || task.meetsOthers();
+  if (!end.facing || !query_.goal.heading) return;
+  goalHeading_ = Heading::fromAngle(*query_.goal.heading);
+  goalCosine_ = Heading::fromAngle(query_.goalTurn).cos;
 }
 
-MotionResult GuidedRun::search(std::span<const StartHeading> starts, std::uint64_t limit, double costBound) {
+void GuidedRun::begin(std::vector<StartHeading> starts, double costBound) {
   costBound_ = costBound;
   weight_ = stage_.heuristicWeight;
-  const double metres = field_.metresToGoal(query_.start.position);
-  double nextRaise = kFirstRaise + kRaisePerMetre * metres;
-  MotionResult result;
-  std::size_t ends = 0;
+  metresFromStart_ = field_.metresToGoal(query_.start.position);
+  nextRaise_ = kFirstRaise + kRaisePerMetre * metresFromStart_;
   if (query_.onward) {
     beginOnward(*query_.onward);
     movingBegun_ = true;
   } else {
-    starts_ = starts;
+    starts_ = std::move(starts);
     begin(starts_[begunStarts_++], true);
   }
+}
+
+bool GuidedRun::advance(std::uint64_t expansions) {
+  const std::uint64_t limit = result_.expansions + std::min(expansions, kUnlimited - result_.expansions);
   for (;;) {
-    if (!movingBegun_ && (open_.empty() || open_.least() >= leastMovingValue(metres))) beginMoving();
+    if (!movingBegun_ && (open_.empty() || open_.least() >= leastMovingValue(metresFromStart_)))
+      beginMoving();
     if (open_.empty()) beginTurned();
     if (open_.empty()) break;
     const std::uint32_t id = open_.pop();
@@ -68,24 +76,28 @@ MotionResult GuidedRun::search(std::span<const StartHeading> starts, std::uint64
     if (!state.isEnd() && closed_.contains(key(state))) continue;
     if (isLeftBehind(state) || !isOpen(id)) continue;
     if (state.isEnd()) {
-      const bool accepted = isAccepted(id);
-      if (accepted || (!end_.bent && ends == 0)) take(id, result);
-      if (accepted || ++ends == kEndsTried) break;
+      if (tryEnd(id)) break;
       continue;
     }
-    if (result.expansions == limit || outOfTime(result.expansions)) {
-      if (result.path.steps.empty()) result.status = SearchStatus::kBudgetSpent;
-      break;
+    if (result_.expansions == limit || outOfTime(result_.expansions)) {
+      open_.push(valueOf(state), id);
+      if (result_.path.steps.empty()) result_.status = SearchStatus::kBudgetSpent;
+      return false;
     }
     closed_.insert(key(state));
-    if (static_cast<double>(++result.expansions) >= nextRaise) {
-      nextRaise *= kRaiseInterval;
-      beginTurned();
-      raiseWeight();
-    }
+    countExpansion();
     expand(id);
   }
-  return result;
+  if (result_.path.steps.empty()) result_.status = SearchStatus::kNoMotion;
+  return true;
+}
+
+/// Grows greedier the more states are looked at.
+void GuidedRun::countExpansion() {
+  if (static_cast<double>(++result_.expansions) < nextRaise_) return;
+  nextRaise_ *= kRaiseInterval;
+  beginTurned();
+  raiseWeight();
 }
 
 /// Whether a state is so far behind the front that it is passed over.
@@ -123,7 +135,7 @@ void GuidedRun::beginTurned() {
 /// so they wait until their turn comes.
 void GuidedRun::beginMoving() {
   movingBegun_ = true;
-  for (const StartHeading& start : starts_.first(begunStarts_)) begin(start, false);
+  for (std::size_t i = 0; i < begunStarts_; ++i) begin(starts_[i], false);
 }
 
 /// What beginning in motion counts for, metres.

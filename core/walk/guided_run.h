@@ -9,6 +9,7 @@
 #include "walk/constraint_cost.h"
 #include "walk/cost_to_go.h"
 #include "walk/guided_search.h"
+#include "walk/guided_task.h"
 #include "walk/search_heap.h"
 #include "walk/search_trouble.h"
 #include "walk/state_set.h"
@@ -29,15 +30,18 @@ struct StartHeading {
   double costMetres = 0.0;
 };
 
-/// One run of weighted A* with the settings of a stage, for a query that has constraints, be they empty. Used
-/// once.
+/// One run of weighted A* with the settings of a stage; it can be interrupted. Used once. The estimates of
+/// the task must not change while it goes on.
 class GuidedRun {
  public:
-  GuidedRun(const MotionQuery& query, const GuidedSearchParams& params, const GuidedStage& stage,
-            CostToGo& costToGo, const DistanceField& field, const WalkEnd& end);
+  GuidedRun(GuidedTask& task, const GuidedSearchParams& params, const GuidedStage& stage, const WalkEnd& end);
 
-  /// Looks for a walk that costs less than `costBound`, metres.
-  MotionResult search(std::span<const StartHeading> starts, std::uint64_t maxExpansions, double costBound);
+  /// Begins to look for a walk that costs less than `costBound`, metres.
+  void begin(std::vector<StartHeading> starts, double costBound);
+  /// Goes on until so many more states have been looked at, time is up, or it is over; whether it is over.
+  bool advance(std::uint64_t expansions);
+  /// What has been found so far: kBudgetSpent while a walk may still be found.
+  const MotionResult& result() const { return result_; }
 
   /// What stood in the way, as far as was seen.
   const SearchTrouble& trouble() const { return trouble_; }
@@ -76,6 +80,8 @@ class GuidedRun {
   double movingStartMetres() const;
   double leastMovingValue(double metresToGoal) const;
   void beginOnward(const Onward& onward);
+  bool tryEnd(std::uint32_t id);
+  void countExpansion();
   void expand(std::uint32_t id);
   void reach(std::uint32_t parent, const State& from, const SearchEdge& edge);
   void openEndOn(std::uint32_t parent, const State& from, const SearchEdge& edge);
@@ -99,7 +105,7 @@ class GuidedRun {
   MotionPath pathTo(std::uint32_t id, std::uint32_t from) const;
   bool isAccepted(std::uint32_t id) const;
   double blendMetres(std::uint32_t id) const;
-  void take(std::uint32_t id, MotionResult& result);
+  void take(std::uint32_t id);
 
   const MotionQuery& query_;
   const GuidedSearchParams& params_;
@@ -114,11 +120,15 @@ class GuidedRun {
   std::vector<Heading> startOf_;  ///< Of states without a parent, the heading that each begins with.
   SearchHeap open_;
   StateSet closed_;
-  std::span<const StartHeading> starts_;
+  std::vector<StartHeading> starts_;
   std::size_t begunStarts_ = 0;  ///< Headings that walks begin with so far,
   bool movingBegun_ = false;     ///< from a stand only or also in motion.
   double weight_ = 1.0;
   double costBound_ = 0.0;
+  double metresFromStart_ = 0.0;  ///< To the goal.
+  double nextRaise_ = 0.0;        ///< Of the weight, after so many states.
+  std::size_t endsTried_ = 0;     ///< Ends that were not accepted.
+  MotionResult result_;
   std::uint32_t lastFrame_ = kNone;     ///< The walk has to be over by then.
   std::shared_ptr<const Hurry> hurry_;  ///< Where there is a last frame.
   bool leftBehind_ = false;

@@ -14,6 +14,9 @@ constexpr std::size_t kArrivalsOpened = 2;
 /// What each metre by which an end misses the goal counts for: those that have to be bent less come first.
 constexpr double kMissCost = 2.0;
 
+/// Ends looked at before the first is taken though it is not accepted, or none.
+constexpr std::size_t kEndsTried = 80;
+
 /// An end is judged by so many metres before it, more than would be bent.
 constexpr double kJudgedMetres = 9.0;
 
@@ -41,12 +44,19 @@ bool GuidedRun::isAccepted(std::uint32_t id) const {
   return query_.accepts(pathTo(id, from), from == kNone ? begun : states_[from].frame);
 }
 
-void GuidedRun::take(std::uint32_t id, MotionResult& result) {
+/// Looks at an end; whether to look no further.
+bool GuidedRun::tryEnd(std::uint32_t id) {
+  const bool accepted = isAccepted(id);
+  if (accepted || (!end_.bent && endsTried_ == 0)) take(id);
+  return accepted || ++endsTried_ == kEndsTried;
+}
+
+void GuidedRun::take(std::uint32_t id) {
   const State& end = states_[id];
-  result.status = SearchStatus::kArrived;
-  result.path = pathTo(id, kNone);
-  result.costMetres = end.cost;
-  result.blendMetres = blendMetres(id);
+  result_.status = SearchStatus::kArrived;
+  result_.path = pathTo(id, kNone);
+  result_.costMetres = end.cost;
+  result_.blendMetres = blendMetres(id);
   marks_.clear();
   for (std::uint32_t at = end.parent; at != kNone; at = states_[at].parent) {
     const State& state = states_[at];

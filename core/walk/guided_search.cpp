@@ -1,7 +1,5 @@
 #include "walk/guided_search.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "path/polyline.h"
 #include "walk/guided_run.h"
+#include "walk/guided_task.h"
 #include "walk/synthesis.h"
 #include "walk/walk_measures.h"
 
@@ -96,209 +94,184 @@ constexpr double kNearMetres = 4.0;
 /// An improvement below this is none, metres of cost.
 constexpr double kWorthMetres = 0.01;
 
-std::string explain(SearchStatus status, const SearchTrouble& trouble, const MotionQuery& query) {
-  if (status != SearchStatus::kBudgetSpent) return explainNoMotion(trouble, query.plan, query.start.position);
-  return fmt::format(
-      "the search used up its budget before a walk was found; {}: try another seed, a larger "
-      "budget or more clips",
-      nearestReached(trouble, query.plan));
-}
+}  // namespace
 
-/// Who has to be faster than this on average to be there in time had better be so all the way.
-constexpr double kEasyMetresPerSecond = 1.0;
-
-/// What getting going and coming to a stand take more than going on.
-constexpr double kStartAndStopSeconds = 2.0;
-
-/// Paces that it takes to be there in time are rounded up to multiples of this, metres per second, so that
-/// few differ.
-constexpr double kPaceStep = 0.1;
-
-/// What the scene asks for, with the pace that it takes to be there in time. Paths are no longer than their
-/// polyline.
-WalkConstraints wishesOf(const MotionQuery& query) {
-  if (query.constraints == nullptr) return {};
-  WalkConstraints wishes = *query.constraints;
-  if (!wishes.latestArrivalSeconds || wishes.minSpeedMetresPerSecond) return wishes;
-  const double begun = query.onward ? query.onward->frame / query.library.frames.framesPerSecond : 0.0;
-  const double left = *wishes.latestArrivalSeconds - begun;
-  const double going = std::max(left - kStartAndStopSeconds, 0.5 * left);
-  const double needed =
-      left > 0.0 ? std::ceil(polylineLength(query.path) / going / kPaceStep) * kPaceStep : 0.0;
-  if (needed <= kEasyMetresPerSecond) return wishes;
-  wishes.minSpeedMetresPerSecond = std::min(needed, wishes.maxSpeedMetresPerSecond.value_or(needed));
-  return wishes;
-}
-
-/// The query with other wishes, which have to outlive it.
-MotionQuery withWishes(MotionQuery query, const WalkConstraints& wishes, PaceTables& paces) {
-  query.constraints = &wishes;
-  if (query.paces == nullptr) query.paces = &paces;
-  return query;
-}
-
-/// What walks cost who is asked for a pace, which changes it for every way.
-std::shared_ptr<const PaceTable> paceUnlessUsual(const MotionQuery& query) {
-  if (!query.constraints->asksForPace()) return nullptr;
-  return query.paces->of(*query.constraints);
-}
-
-/// The way along a field is told in strides of this length, each of which brings the goal nearer by as much
-/// as this.
-constexpr double kStrideMetres = 0.2;
-constexpr double kLeastStrideMetres = 0.02;
-
-/// A field of the query's own where none is known, or where areas make some metres count for more.
-std::optional<DistanceField> fieldUnlessKnown(const MotionQuery& query, const SteeringTable& steering) {
-  DistanceField::Params params;
-  params.openPath.assign(query.path.begin(), query.path.end());
-  if (!query.constraints->areas.empty()) {
-    const ConstraintCost wishes(*query.constraints, query.library.frames.framesPerSecond);
-    const double perMetre = steering.costPerMetre();
-    params.weight = [wishes, perMetre](const Vec2& point) {
-      return 1.0 + wishes.perMetreAt(point) / perMetre;
-    };
-  } else if (query.field != nullptr) {
-    return std::nullopt;
-  }
-  return DistanceField(query.plan, query.goal.position, params);
-}
-
-/// The way that a field leads, point by point; empty where it cannot be told without touching something.
-std::vector<Vec2> wayAlong(const DistanceField& field, const Vec2& start, const Vec2& goal) {
-  std::vector<Vec2> way = {start};
-  double left = field.metresToGoal(start);
-  while (left > kStrideMetres) {
-    const Vec2 next = way.back() + kStrideMetres * field.at(way.back()).direction;
-    const double then = field.metresToGoal(next);
-    if (!(then < left - kLeastStrideMetres)) return {};
-    way.push_back(next);
-    left = then;
-  }
-  way.push_back(goal);
-  return way;
-}
-
-/// All stages for one kind of end.
-class Cascade {
+class GuidedSearch::Stages {
  public:
-  Cascade(const MotionQuery& query, const GuidedSearchParams& params)
-      : wishes_(wishesOf(query)),
-        ownPaces_(query.tables.graph, query.tables.steering, query.library.frames.framesPerSecond),
-        query_(withWishes(query, wishes_, ownPaces_)),
-        params_(params),
-        pace_(paceUnlessUsual(query_)),
-        ownField_(fieldUnlessKnown(query_, pace_ ? pace_->steering : query.tables.steering)),
-        field_(ownField_ ? *ownField_ : *query.field),
-        costToGo_(query.tables.steering, field_, {query.plan.widthMetres(), query.plan.depthMetres()},
-                  pace_.get()) {}
+  Stages(const MotionQuery& query, const GuidedSearchParams& params) : task_(query), params_(params) {}
 
-  MotionResult run() {
-    MotionResult result;
+  const MotionResult& best() const { return best_; }
+
+  void findFirst() {
     for (const WalkEnd& end : ends()) {
-      costToGo_.comeToStand(end.standing);
-      result = seek(end);
-      if (result.status == SearchStatus::kArrived) improve(result, end);
-      if (result.status == SearchStatus::kArrived || outOfTime()) break;
+      end_ = end;
+      task_.costToGo().comeToStand(end.standing);
+      best_ = seek();
+      if (best_.status == SearchStatus::kArrived || task_.outOfTime()) break;
       // Who does not even come near the goal finds no other end there either, unless that took too long.
       if (trouble_.metresLeft > kNearMetres && trouble_.tooLate == 0) break;
     }
-    result.expansions = expansions_;
-    if (!query_.constraints->areas.empty())
-      result.way = wayAlong(field_, query_.start.position, query_.goal.position);
-    if (result.status != SearchStatus::kArrived)
-      result.explanation = explain(result.status, trouble_, query_);
-    return result;
+    best_.expansions = expansions_;
+    best_.way = task_.way();
+    if (best_.status == SearchStatus::kArrived) {
+      prepareImprovement();
+    } else {
+      best_.explanation = task_.explain(best_.status, trouble_);
+    }
+  }
+
+  bool canImprove() const { return canImprove_ && left() > 0; }
+
+  double progress() const {
+    if (!canImprove()) return 1.0;
+    return static_cast<double>(improvingExpansions_) /
+           static_cast<double>(task_.query().improvementExpansions);
+  }
+
+  bool improve(std::uint64_t expansions) {
+    bool better = false;
+    for (std::uint64_t more = std::min(expansions, left()); canImprove() && more > 0;) {
+      if (task_.outOfTime()) {
+        canImprove_ = false;
+        break;
+      }
+      const std::uint64_t before = improvingExpansions_;
+      better = advanceImprovement(more) || better;
+      more -= std::min(more, improvingExpansions_ - before);
+    }
+    best_.expansions = expansions_ + improvingExpansions_;
+    return better;
   }
 
  private:
   /// Ends of a walk in the order in which they are sought.
   std::vector<WalkEnd> ends() const {
     std::vector<WalkEnd> ends;
-    const double radius = query_.goalRadiusMetres;
-    const bool canStand = query_.standing && query_.tables.graph.canEndStanding();
+    const MotionQuery& query = task_.query();
+    const double radius = query.goalRadiusMetres;
+    const bool canStand = query.standing && query.tables.graph.canEndStanding();
     if (canStand) ends.push_back({true, true, kBendableMetres, true});
     if (canStand) ends.push_back({true, true, radius});
     ends.push_back({false, true, radius});
-    if (canStand && query_.goal.heading) ends.push_back({true, false, radius});
-    if (query_.goal.heading) ends.push_back({false, false, radius});
+    if (canStand && query.goal.heading) ends.push_back({true, false, radius});
+    if (query.goal.heading) ends.push_back({false, false, radius});
     return ends;
   }
 
-  MotionResult seek(const WalkEnd& end) {
-    MotionResult result = tryStage(meetsOthers() ? kAmongMovers : kUsual, end);
-    if (result.status == SearchStatus::kNoMotion) result = tryStage(kFiner, end);
-    if (result.status == SearchStatus::kBudgetSpent && !outOfTime())
-      result = tryStage(meetsOthers() ? kPatient : kGreedy, end);
+  MotionResult seek() {
+    MotionResult result = tryStage(task_.meetsOthers() ? kAmongMovers : kUsual);
+    if (result.status == SearchStatus::kNoMotion) result = tryStage(kFiner);
+    if (result.status == SearchStatus::kBudgetSpent && !task_.outOfTime())
+      result = tryStage(task_.meetsOthers() ? kPatient : kGreedy);
     return result;
   }
 
-  MotionResult tryStage(const GuidedStage& stage, const WalkEnd& end) {
+  MotionResult tryStage(const GuidedStage& stage) {
     stage_ = stage;
-    const double metres = field_.metresToGoal(query_.start.position);
-    const double movers = query_.traffic == nullptr ? 0.0 : static_cast<double>(query_.traffic->size());
-    const double more = stage.expansionsPerMetre * metres + stage.expansionsPerMover * movers;
-    GuidedRun run(query_, params_, stage, costToGo_, field_, end);
-    return runOnce(run, stage.maxExpansions + static_cast<std::uint64_t>(more), kNoBound);
-  }
-
-  /// Looks for better walks than the first until the budget is spent, or nothing is left to look at.
-  void improve(MotionResult& best, const WalkEnd& end) {
-    GuidedStage stage = kBetter;
-    if (meetsOthers()) {
-      stage.cellMetres = stage_.cellMetres;
-      stage.headingCells = stage_.headingCells;
-    }
-    costToGo_.trust(kTrust);
-    std::uint64_t left = query_.improvementExpansions;
-    double bound = best.goingMetres() + kBlendsOfFirst * best.blendMetres;
-    bool more = true;
-    for (stage.windowMetres = kFirstWindowMetres; more && left > 0 && !outOfTime() && !isEnough(best);
-         stage.windowMetres *= kWindowGrowth) {
-      GuidedRun run(query_, params_, stage, costToGo_, field_, end);
-      MotionResult found = runOnce(run, left, bound - kWorthMetres);
-      left -= std::min(left, found.expansions);
-      more = found.status == SearchStatus::kArrived || run.leftBehind();
-      if (found.status != SearchStatus::kArrived) continue;
-      bound = found.costMetres;
-      best = std::move(found);
-    }
-  }
-
-  bool isEnough(const MotionResult& walk) const {
-    if (!query_.enoughRatio) return false;
-    return wayLength(placementsAlong(query_.library, walk.path)) <=
-           *query_.enoughRatio * field_.metresToGoal(query_.start.position);
-  }
-
-  MotionResult runOnce(GuidedRun& run, std::uint64_t limit, double costBound) {
-    MotionResult result = run.search(startHeadings(query_, params_), limit, costBound);
-    expansions_ += result.expansions;
+    const Traffic* const traffic = task_.query().traffic;
+    const double movers = traffic == nullptr ? 0.0 : static_cast<double>(traffic->size());
+    const double more =
+        stage.expansionsPerMetre * task_.metresFromStart() + stage.expansionsPerMover * movers;
+    GuidedRun run(task_, params_, stage_, end_);
+    run.begin(startHeadings(task_.query(), params_), kNoBound);
+    run.advance(stage.maxExpansions + static_cast<std::uint64_t>(more));
+    expansions_ += run.result().expansions;
     trouble_.add(run.trouble());
-    if (result.status == SearchStatus::kArrived) costToGo_.learn(run.marks());
-    return result;
+    task_.costToGo().learn(run.marks());
+    return run.result();
   }
 
-  bool meetsOthers() const { return query_.traffic != nullptr && !query_.traffic->empty(); }
-  bool outOfTime() const { return query_.outOfTime && query_.outOfTime(); }
+  void prepareImprovement() {
+    const double cellMetres = stage_.cellMetres;
+    const std::uint32_t headingCells = stage_.headingCells;
+    stage_ = kBetter;
+    if (task_.meetsOthers()) {
+      stage_.cellMetres = cellMetres;
+      stage_.headingCells = headingCells;
+    }
+    stage_.windowMetres = kFirstWindowMetres;
+    bound_ = best_.goingMetres() + kBlendsOfFirst * best_.blendMetres;
+    task_.costToGo().trust(kTrust);
+    canImprove_ = !isEnough();
+  }
 
-  WalkConstraints wishes_;
-  PaceTables ownPaces_;
-  MotionQuery query_;
-  const GuidedSearchParams& params_;
+  std::uint64_t left() const {
+    const std::uint64_t all = task_.query().improvementExpansions;
+    return all - std::min(all, improvingExpansions_);
+  }
+
+  /// Goes on with the run under way, or with the next one; whether it found a better walk.
+  bool advanceImprovement(std::uint64_t expansions) {
+    if (!run_) {
+      run_.emplace(task_, params_, stage_, end_);
+      run_->begin(startHeadings(task_.query(), params_), bound_ - kWorthMetres);
+    }
+    const std::uint64_t before = run_->result().expansions;
+    const bool over = run_->advance(expansions);
+    improvingExpansions_ += run_->result().expansions - before;
+    if (!over && left() > 0 && !task_.outOfTime()) return false;
+    const bool better = run_->result().status == SearchStatus::kArrived;
+    canImprove_ = over && (better || run_->leftBehind());
+    if (better) {
+      std::vector<Vec2> way = std::move(best_.way);
+      best_ = run_->result();
+      best_.way = std::move(way);
+      bound_ = best_.costMetres;
+      task_.costToGo().learn(run_->marks());
+      canImprove_ = canImprove_ && !isEnough();
+    }
+    run_.reset();
+    stage_.windowMetres *= kWindowGrowth;
+    return better;
+  }
+
+  bool isEnough() const {
+    const MotionQuery& query = task_.query();
+    if (!query.enoughRatio) return false;
+    return wayLength(placementsAlong(query.library, best_.path)) <=
+           *query.enoughRatio * task_.metresFromStart();
+  }
+
+  GuidedTask task_;
+  GuidedSearchParams params_;
+  WalkEnd end_;        ///< Sought last.
   GuidedStage stage_;  ///< Tried last.
-  std::shared_ptr<const PaceTable> pace_;
-  std::optional<DistanceField> ownField_;
-  const DistanceField& field_;
-  CostToGo costToGo_;
-  std::uint64_t expansions_ = 0;
+  MotionResult best_;
   SearchTrouble trouble_;
+  std::uint64_t expansions_ = 0;           ///< Before the first walk,
+  std::uint64_t improvingExpansions_ = 0;  ///< and since.
+  double bound_ = 0.0;                     ///< A better walk costs less.
+  std::optional<GuidedRun> run_;           ///< For a better walk, while it goes on.
+  bool canImprove_ = false;
 };
 
-}  // namespace
+GuidedSearch::GuidedSearch(const MotionQuery& query, const GuidedSearchParams& params)
+    : stages_(std::make_unique<Stages>(query, params)) {
+  stages_->findFirst();
+}
+
+GuidedSearch::~GuidedSearch() = default;
+
+const MotionResult& GuidedSearch::best() const {
+  return stages_->best();
+}
+
+bool GuidedSearch::canImprove() const {
+  return stages_->canImprove();
+}
+
+bool GuidedSearch::improve(std::uint64_t expansions) {
+  return stages_->improve(expansions);
+}
+
+double GuidedSearch::progress() const {
+  return stages_->progress();
+}
 
 MotionResult guidedSearch(const MotionQuery& query, const GuidedSearchParams& params) {
-  return Cascade(query, params).run();
+  GuidedSearch search(query, params);
+  search.improve(query.improvementExpansions);
+  return search.best();
 }
 
 }  // namespace stridegraph

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <memory>
 
 #include "walk/motion_search.h"
 #include "walk/walk_cost.h"
@@ -34,12 +35,30 @@ struct GuidedSearchParams {
 /// goal asks, is sought first; where there is none, the standing and then the heading are given up. Says no
 /// motion only when a stage with fine cells has run through every state it can reach.
 ///
-/// With expansions left for improvement it searches again, each time for a walk that costs less than the best
-/// so far, with blends at half their price: without greed, but only so far behind the front, and further
-/// behind it each time (Anytime Window A*, Aine, Chakrabarti and Kumar 2007; here the front is the state
-/// nearest to the goal instead of the deepest). Estimates have learned from the best walk what the room costs
-/// (Adaptive A*, Koenig and Likhachev 2005; here by distance from the goal and to a share, since neither
-/// estimate is a bound).
+/// Then it can be carried on for better walks, slice by slice: it searches again, each time for a walk that
+/// costs less than the best so far, with blends at half their price: without greed, but only so far behind
+/// the front, and further behind it each time (Anytime Window A*, Aine, Chakrabarti and Kumar 2007; here the
+/// front is the state nearest to the goal instead of the deepest). Estimates have learned from the best walk
+/// what the room costs (Adaptive A*, Koenig and Likhachev 2005; here by distance from the goal and to a
+/// share, since neither estimate is a bound).
+class GuidedSearch : public MotionSearch {
+ public:
+  explicit GuidedSearch(const MotionQuery& query, const GuidedSearchParams& params = {});
+  ~GuidedSearch() override;
+  GuidedSearch(const GuidedSearch&) = delete;
+  GuidedSearch& operator=(const GuidedSearch&) = delete;
+
+  const MotionResult& best() const override;
+  bool canImprove() const override;
+  bool improve(std::uint64_t expansions) override;
+  double progress() const override;
+
+ private:
+  class Stages;
+  std::unique_ptr<Stages> stages_;
+};
+
+/// The best walk within the query's improvement expansions.
 MotionResult guidedSearch(const MotionQuery& query, const GuidedSearchParams& params = {});
 
 }  // namespace stridegraph

@@ -1,5 +1,7 @@
 #include "walk/motion_search.h"
 
+#include <utility>
+
 #include "walk/guided_search.h"
 #include "walk/thesis_search.h"
 
@@ -24,9 +26,24 @@ std::optional<SearchKind> searchFromName(std::string_view name) {
   return std::nullopt;
 }
 
-MotionResult searchMotion(SearchKind kind, const MotionQuery& query) {
-  if (kind == SearchKind::kGuided) return guidedSearch(query);
-  return thesisSearch(query, {.checkCollisions = kind == SearchKind::kThesisChecked});
+namespace {
+
+/// A search that gives one answer.
+class OneAnswer : public MotionSearch {
+ public:
+  explicit OneAnswer(MotionResult answer) : answer_(std::move(answer)) {}
+  const MotionResult& best() const override { return answer_; }
+
+ private:
+  MotionResult answer_;
+};
+
+}  // namespace
+
+std::unique_ptr<MotionSearch> searchMotion(SearchKind kind, const MotionQuery& query) {
+  if (kind == SearchKind::kGuided) return std::make_unique<GuidedSearch>(query);
+  return std::make_unique<OneAnswer>(
+      thesisSearch(query, {.checkCollisions = kind == SearchKind::kThesisChecked}));
 }
 
 }  // namespace stridegraph

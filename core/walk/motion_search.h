@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -89,7 +90,24 @@ struct MotionResult {
   double goingMetres() const { return costMetres - blendMetres; }
 };
 
-/// Runs the search of that kind.
-MotionResult searchMotion(SearchKind kind, const MotionQuery& query);
+/// A search that has given its first answer. Some can be carried on for better walks, slice by slice.
+class MotionSearch {
+ public:
+  virtual ~MotionSearch() = default;
+
+  /// The best walk so far, or why there is none.
+  virtual const MotionResult& best() const = 0;
+  /// Whether a better walk may still be found: there is one, the query's improvement expansions are not used
+  /// up, nor its time, and the walk is not good enough.
+  virtual bool canImprove() const { return false; }
+  /// Looks at up to so many more states. Whether best() is another one now. In what slices it is called makes
+  /// no difference.
+  virtual bool improve([[maybe_unused]] std::uint64_t expansions) { return false; }
+  /// The share of the improvement expansions that is used up, 0..1; 1 when nothing is left to be done.
+  virtual double progress() const { return 1.0; }
+};
+
+/// Looks for a walk with the search of that kind. What the query refers to has to outlive the search.
+std::unique_ptr<MotionSearch> searchMotion(SearchKind kind, const MotionQuery& query);
 
 }  // namespace stridegraph

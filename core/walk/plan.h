@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -9,15 +8,12 @@
 #include <vector>
 
 #include "base/clock.h"
-#include "base/result.h"
 #include "graph/library.h"
 #include "motion/clip.h"
 #include "path/path_planner.h"
 #include "scene/scene.h"
 #include "walk/arrival_warp.h"
-#include "walk/foot_cleanup.h"
 #include "walk/motion_search.h"
-#include "walk/source_figures.h"
 
 namespace stridegraph {
 
@@ -127,37 +123,6 @@ struct Plan {
   PlanOptions options;              ///< And with which options.
   bool kept = false;                ///< replan() left the walk as it was.
   std::vector<Plan> others;         ///< Walks of the scene's further walkers, in their order.
-};
-
-/// A library made ready for planning walk after walk: the session facade. Planning the same scene with the
-/// same options gives the same walk. What paces asked for cost is kept once known (PaceTables), so one thread
-/// plans at a time.
-class WalkPlanner {
- public:
-  explicit WalkPlanner(std::shared_ptr<const MotionLibrary> library);
-
-  const MotionLibrary& library() const { return *library_; }
-
-  /// Plans a walk through a scene: path, motion, synthesis. A scene or option out of range is an error; that
-  /// there is no way is a plan whose status says so.
-  /// Walkers are planned one after the other, each around those before it (prioritised planning, Erdmann and
-  /// Lozano-Perez 1987); where one finds no way, it goes first and the others are planned again.
-  Result<Plan> plan(const Scene& scene, const PlanOptions& options = {}) const;
-
-  /// Plans anew for a walk under way that shows this frame, and for its others: it stays as it is until then
-  /// and goes on in the scene as it is now, from the present pose (kept exactly: its steps, its way and its
-  /// frames). A walk that still holds is kept where no obstacle has gone, without another search, and also
-  /// where another would save less than 3 % of what is left to go. `current` has arrived, in a scene with as
-  /// many walkers; where a walker cannot turn off any more, its report says so.
-  Result<Plan> replan(const Plan& current, std::size_t frame, const Scene& scene,
-                      const PlanOptions& options = {}) const;
-
- private:
-  std::shared_ptr<const MotionLibrary> library_;
-  SourceFigures sources_;
-  SearchTables tables_;
-  std::unique_ptr<PaceTables> paces_;
-  FootCleanup feet_;
 };
 
 /// The report as the JSON object of DESIGN, section 4.

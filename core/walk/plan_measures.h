@@ -2,6 +2,7 @@
 
 #include "path/floor_plan.h"
 #include "walk/plan.h"
+#include "walk/source_figures.h"
 
 namespace stridegraph {
 

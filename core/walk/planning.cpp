@@ -67,17 +67,18 @@ std::string explainPath(PlanStatus status, double radius) {
   }
 }
 
-/// One plan in the making: each stage fills in its part.
-class Planning {
+}  // namespace
+
+/// Each stage fills in its part.
+class Planning::Stages {
  public:
-  Planning(const Prepared& prepared, const Scene& scene, const PlanOptions& options, const PlanTask& task)
+  Stages(const Prepared& prepared, const Scene& scene, const PlanOptions& options, const PlanTask& task)
       : library_(prepared.library),
         prepared_(prepared),
         scene_(scene),
         options_(options),
         task_(task),
-        start_(task.start),
-        total_(options.clock) {
+        start_(task.start) {
     PlanReport& report = plan_.report;
     report.seed = options.seed.value_or(scene.seed);
     report.planner = options.planner;
@@ -88,28 +89,49 @@ class Planning {
     report.libraryHash = library_.hash;
   }
 
-  Plan run() {
+  void findFirst() {
     if (task_.underWay != nullptr) {
       turn_ = turnOff(prepared_.tables.graph, *task_.underWay, task_.frame);
-      if (!turn_) return atItsEnd();
+      if (!turn_) {
+        plan_.report.status = PlanStatus::kNoMotion;
+        plan_.report.explanation = "the walk is in its last steps and cannot turn off any more";
+        return;
+      }
       start_.position = turn_->onward.placement.translation;
     }
     findPath();
-    if (plan_.report.status == PlanStatus::kArrived) {
-      const MotionPath motion = findMotion();
-      if (plan_.report.status == PlanStatus::kArrived) makeWalk(motion);
-    }
-    plan_.report.totalMilliseconds = total_.elapsed();
-    return std::move(plan_);
+    if (plan_.report.status == PlanStatus::kArrived) findMotion();
+  }
+
+  std::uint64_t expansions() const { return search_ ? search_->best().expansions : 0; }
+  bool canImprove() const { return search_ && search_->canImprove(); }
+  double progress() const { return search_ ? search_->progress() : 1.0; }
+
+  bool improve(std::uint64_t expansions) {
+    if (!canImprove()) return false;
+    searching_.emplace(options_.clock);
+    const bool better = search_->improve(expansions);
+    stopSearching();
+    return better;
+  }
+
+  Plan plan() const {
+    Plan plan = plan_;
+    PlanReport& report = plan.report;
+    if (search_) tellOf(search_->best(), plan);
+    if (report.status == PlanStatus::kArrived) makeWalk(search_->best().path, plan);
+    update(report);
+    return plan;
+  }
+
+  void update(PlanReport& report) const {
+    report.expansions = expansions();
+    report.motionMilliseconds = plan_.report.motionMilliseconds;
+    report.totalMilliseconds =
+        report.pathMilliseconds + report.motionMilliseconds + report.synthesisMilliseconds;
   }
 
  private:
-  Plan atItsEnd() {
-    plan_.report.status = PlanStatus::kNoMotion;
-    plan_.report.explanation = "the walk is in its last steps and cannot turn off any more";
-    return std::move(plan_);
-  }
-
   void findPath() {
     const Stopwatch watch(options_.clock);
     PathResult found =
@@ -137,13 +159,18 @@ class Planning {
     return "something that moves is at the goal whenever the walk could end there";
   }
 
-  MotionPath findMotion() {
-    const Stopwatch watch(options_.clock);
+  void findMotion() {
+    searching_.emplace(options_.clock);
     if (options_.search == SearchKind::kGuided) plan_.report.explanation = takenBy();
-    if (!plan_.report.explanation.empty()) {
+    if (plan_.report.explanation.empty()) {
+      search_ = searchMotion(options_.search, query());
+    } else {
       plan_.report.status = PlanStatus::kGoalBlocked;
-      return {};
     }
+    stopSearching();
+  }
+
+  MotionQuery query() {
     MotionQuery query{library_, prepared_.tables, task_.floor, start_, task_.goal};
     query.goalRadiusMetres = options_.goalRadiusMetres;
     query.goalTurn = kGoalTurn;
@@ -151,29 +178,32 @@ class Planning {
     query.subgoals = plan_.subgoals;
     query.standing = options_.standing;
     query.seed = plan_.report.seed;
-    query.accepts = [&](const MotionPath& end, std::uint32_t first) {
+    query.accepts = [this](const MotionPath& end, std::uint32_t first) {
       return bent(placementsAlong(library_, end), first).has_value();
     };
     query.improvementExpansions = options_.improvementExpansions;
     query.enoughRatio = options_.enoughRatio;
-    query.outOfTime = [&] {
-      return options_.budgetMilliseconds > 0.0 && watch.elapsed() > options_.budgetMilliseconds;
+    query.outOfTime = [this] {
+      return options_.budgetMilliseconds > 0.0 &&
+             plan_.report.motionMilliseconds + searching_->elapsed() > options_.budgetMilliseconds;
     };
     query.field = field_.get();
     query.traffic = &task_.traffic;
     query.constraints = &scene_.constraints;
     query.paces = &prepared_.paces;
     if (turn_) query.onward = turn_->onward;
-    MotionResult found = searchMotion(options_.search, query);
-    plan_.report.status = statusOf(found.status);
-    plan_.report.explanation = std::move(found.explanation);
-    plan_.report.expansions = found.expansions;
-    if (!found.way.empty()) {
-      plan_.path = std::move(found.way);
-      plan_.subgoals = subgoals(plan_.path, options_.subgoalSpacingMetres);
-    }
-    plan_.report.motionMilliseconds = watch.elapsed();
-    return std::move(found.path);
+    return query;
+  }
+
+  void stopSearching() { plan_.report.motionMilliseconds += searching_->elapsed(); }
+
+  /// Into the plan, what the search has to say of a walk or of why there is none.
+  void tellOf(const MotionResult& found, Plan& plan) const {
+    plan.report.status = statusOf(found.status);
+    plan.report.explanation = found.explanation;
+    if (found.way.empty()) return;
+    plan.path = found.way;
+    plan.subgoals = subgoals(plan.path, options_.subgoalSpacingMetres);
   }
 
   /// The way bent to end at the goal, where that keeps it off everything; it begins at this frame.
@@ -185,43 +215,42 @@ class Planning {
     return bent;
   }
 
-  void makeWalk(const MotionPath& found) {
+  void makeWalk(const MotionPath& found, Plan& plan) const {
     const Stopwatch watch(options_.clock);
-    PlanReport& report = plan_.report;
-    plan_.motion = turn_ ? joined(turn_->steps, found, task_.underWay->motion.start) : found;
-    SynthesisedWalk made = synthesise(library_, plan_.motion);
-    plan_.way = made.placements;
+    PlanReport& report = plan.report;
+    plan.motion = turn_ ? joined(turn_->steps, found, task_.underWay->motion.start) : found;
+    SynthesisedWalk made = synthesise(library_, plan.motion);
+    plan.way = made.placements;
     if (turn_)
-      plan_.way = replaced(task_.underWay->way, turn_->onward.frame, placementsAlong(library_, found));
-    if (report.search == SearchKind::kGuided) bendEnd();
-    moveRoots(made.placements, plan_.way, made.clip);
-    if (options_.footCleanup) cleanFeet(made);
+      plan.way = replaced(task_.underWay->way, turn_->onward.frame, placementsAlong(library_, found));
+    if (report.search == SearchKind::kGuided) bendEnd(plan);
+    moveRoots(made.placements, plan.way, made.clip);
+    if (options_.footCleanup) cleanFeet(made, report);
     if (turn_) fadeFrom(task_.underWay->walk, task_.frame, made.clip);
     measurePlan({library_, prepared_.tables.graph, prepared_.sources, task_.floor, scene_, task_.goal,
-                 options_, plan_.motion, made.clip, task_.traffic},
+                 options_, plan.motion, made.clip, task_.traffic},
                 report);
-    plan_.walk = std::move(made.clip);
-    plan_.frameKinds = std::move(made.frameKinds);
-    plan_.contacts = std::move(made.contacts);
+    plan.walk = std::move(made.clip);
+    plan.frameKinds = std::move(made.frameKinds);
+    plan.contacts = std::move(made.contacts);
     report.synthesisMilliseconds = watch.elapsed();
   }
 
   /// Bends what is still to be gone of the way.
-  void bendEnd() {
+  void bendEnd(Plan& plan) const {
     const std::uint32_t first = turn_ ? turn_->onward.frame : 0;
-    const std::span<const FloorTransform> rest = std::span(plan_.way).subspan(first);
+    const std::span<const FloorTransform> rest = std::span(plan.way).subspan(first);
     std::optional<BentWay> bending = bent(rest, first);
     if (!bending) return;
-    plan_.report.arrivalWarp = bending->warp;
+    plan.report.arrivalWarp = bending->warp;
     if (bending->warp.metres == 0.0) return;
-    plan_.unbentWay = plan_.way;
+    plan.unbentWay = plan.way;
     std::copy(bending->placements.begin(), bending->placements.end(),
-              plan_.way.begin() + static_cast<std::ptrdiff_t>(first));
+              plan.way.begin() + static_cast<std::ptrdiff_t>(first));
   }
 
-  void cleanFeet(SynthesisedWalk& walk) {
+  void cleanFeet(SynthesisedWalk& walk, PlanReport& report) const {
     FootCleanupReport done = prepared_.feet.apply(library_, walk);
-    PlanReport& report = plan_.report;
     report.contacts = done.stances;
     report.feetCorrectedMeanMetres = done.meanCorrectionMetres;
     report.feetCorrectedWorstMetres = done.worstCorrectionMetres;
@@ -235,16 +264,42 @@ class Planning {
   const PlanTask& task_;
   Placement start_;              ///< Where the path begins: of a walk under way, where it turns off.
   std::optional<TurnOff> turn_;  ///< Of a walk under way.
-  Stopwatch total_;
   std::shared_ptr<const DistanceField> field_;  ///< Of the planner, where it has one.
-  Plan plan_;
+  Plan plan_;                                   ///< But for what the search finds.
+  std::optional<Stopwatch> searching_;          ///< Since the search was last carried on.
+  std::unique_ptr<MotionSearch> search_;        ///< Where there is a path.
 };
 
-}  // namespace
+Planning::Planning(const Prepared& prepared, const Scene& scene, const PlanOptions& options,
+                   const PlanTask& task)
+    : stages_(std::make_unique<Stages>(prepared, scene, options, task)) {
+  stages_->findFirst();
+}
 
-Plan planWalk(const Prepared& prepared, const Scene& scene, const PlanOptions& options,
-              const PlanTask& task) {
-  return Planning(prepared, scene, options, task).run();
+Planning::~Planning() = default;
+
+std::uint64_t Planning::expansions() const {
+  return stages_->expansions();
+}
+
+bool Planning::canImprove() const {
+  return stages_->canImprove();
+}
+
+bool Planning::improve(std::uint64_t expansions) {
+  return stages_->improve(expansions);
+}
+
+double Planning::progress() const {
+  return stages_->progress();
+}
+
+Plan Planning::plan() const {
+  return stages_->plan();
+}
+
+void Planning::update(PlanReport& report) const {
+  stages_->update(report);
 }
 
 }  // namespace stridegraph

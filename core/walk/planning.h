@@ -1,6 +1,13 @@
 #pragma once
 
+#include <cstdint>
+#include <memory>
+
+#include "walk/foot_cleanup.h"
+#include "walk/pace_tables.h"
 #include "walk/plan.h"
+#include "walk/search_tables.h"
+#include "walk/source_figures.h"
 #include "walk/traffic.h"
 
 namespace stridegraph {
@@ -25,8 +32,32 @@ struct PlanTask {
   std::size_t frame = 0;
 };
 
-/// Plans one walk: path, motion, synthesis. Scene and options are in range. A walk under way stays frame by
-/// frame as it is until `frame`, and a little longer: until it comes to the next decision node.
-Plan planWalk(const Prepared& prepared, const Scene& scene, const PlanOptions& options, const PlanTask& task);
+/// One walk in the making: path, motion, synthesis, and the search for better ones. A walk under way stays
+/// frame by frame as it is until `frame`, and a little longer: until it comes to the next decision node.
+/// All that it is made from has to outlive it; scene and options are in range.
+class Planning {
+ public:
+  /// Finds the first walk, or why there is none.
+  Planning(const Prepared& prepared, const Scene& scene, const PlanOptions& options, const PlanTask& task);
+  ~Planning();
+  Planning(const Planning&) = delete;
+  Planning& operator=(const Planning&) = delete;
+
+  /// States looked at so far.
+  std::uint64_t expansions() const;
+  /// See MotionSearch.
+  bool canImprove() const;
+  bool improve(std::uint64_t expansions);
+  double progress() const;
+
+  /// The best walk so far, made.
+  Plan plan() const;
+  /// Brings up to date what the report of that plan says of the search.
+  void update(PlanReport& report) const;
+
+ private:
+  class Stages;
+  std::unique_ptr<Stages> stages_;
+};
 
 }  // namespace stridegraph

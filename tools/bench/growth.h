@@ -5,7 +5,7 @@
 
 #include "bench/bench_run.h"
 #include "bench/measuring.h"
-#include "walk/plan.h"
+#include "walk/walk_planner.h"
 
 namespace stridegraph::bench {
 

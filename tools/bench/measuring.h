@@ -7,7 +7,7 @@
 #include "base/clock.h"
 #include "bench/bench_run.h"
 #include "path/floor_plan.h"
-#include "walk/plan.h"
+#include "walk/walk_planner.h"
 
 namespace stridegraph::bench {
 

@@ -8,7 +8,7 @@
 #include "figures/svg.h"
 #include "graph/library.h"
 #include "scene/scene.h"
-#include "walk/plan.h"
+#include "walk/walk_planner.h"
 
 namespace stridegraph::figures {
 

@@ -8,7 +8,7 @@
 #include "graph/library.h"
 #include "scene/scene.h"
 #include "state/camera.h"
-#include "walk/plan.h"
+#include "walk/walk_planner.h"
 
 namespace stridegraph {
 

@@ -6,7 +6,7 @@
 #include "graph/library_builder.h"
 #include "motion/gait_library.h"
 #include "motion/gait_skeleton.h"
-#include "walk/plan.h"
+#include "walk/walk_planner.h"
 
 namespace stridegraph::testing {
 

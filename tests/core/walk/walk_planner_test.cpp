@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "walk/plan.h"
+#include "walk/walk_planner.h"
 #include "walk/test_library.h"
 
 namespace stridegraph {
