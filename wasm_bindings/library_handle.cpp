@@ -3,13 +3,16 @@
 #include <emscripten/emscripten.h>
 #include <fmt/format.h>
 
+#include <cstddef>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "base/hash.h"
 #include "graph/sgraph_file.h"
 #include "js_values.h"
 #include "options.h"
+#include "plan_handle.h"
 #include "scene/scene_json.h"
 #include "walk_values.h"
 
@@ -17,8 +20,27 @@ namespace stridegraph::bindings {
 
 using emscripten::val;
 
+namespace {
+
+/// What both ways to plan are asked for.
+struct Asked {
+  Scene scene;
+  PlanOptions options;
+};
+
+Result<Asked> readAsked(const std::string& scene, const val& options) {
+  Result<Scene> room = readSceneJson(scene);
+  if (!room) return fail(std::move(room));
+  Result<PlanOptions> read = readPlanOptions(options);
+  if (!read) return fail(std::move(read));
+  read->clock = [] { return emscripten_get_now(); };
+  return Asked{*std::move(room), *std::move(read)};
+}
+
+}  // namespace
+
 LibraryHandle::LibraryHandle(MotionLibrary library)
-    : planner_(std::make_shared<const MotionLibrary>(std::move(library))) {}
+    : session_(std::make_shared<Session>(std::move(library))) {}
 
 val LibraryHandle::open(const val& bytes) {
   const auto copy = emscripten::convertJSArrayToNumberVector<std::uint8_t>(bytes);
@@ -27,42 +49,35 @@ val LibraryHandle::open(const val& bytes) {
   return succeed(val(std::make_shared<LibraryHandle>(*std::move(library))));
 }
 
-val LibraryHandle::plan(const std::string& scene, const val& options) {
-  const Result<Scene> room = readSceneJson(scene);
-  if (!room) return refuse(room.error());
-  Result<PlanOptions> read = readPlanOptions(options);
-  if (!read) return refuse(read.error());
-  read->clock = [] { return emscripten_get_now(); };
-  return answer(planner_.plan(*room, *read));
+val LibraryHandle::startPlan(const std::string& scene, const val& options) {
+  const Result<Asked> asked = readAsked(scene, options);
+  if (!asked) return refuse(asked.error());
+  return answer(session_->planner.begin(asked->scene, asked->options));
 }
 
-val LibraryHandle::replan(const std::string& scene, double atSeconds, const val& options) {
-  const Result<Scene> room = readSceneJson(scene);
-  if (!room) return refuse(room.error());
-  Result<PlanOptions> read = readPlanOptions(options);
-  if (!read) return refuse(read.error());
-  read->clock = [] { return emscripten_get_now(); };
-  if (!underWay_)
+val LibraryHandle::startReplan(const std::string& scene, double atSeconds, const val& options) {
+  const Result<Asked> asked = readAsked(scene, options);
+  if (!asked) return refuse(asked.error());
+  const std::optional<Plan>& underWay = session_->underWay;
+  if (!underWay)
     return refuse(
         {ErrorCode::kInvalidArgument, "replan: found no walk under way, expected one planned before"});
-  if (!(atSeconds >= 0.0 && atSeconds <= underWay_->report.durationSeconds)) {
+  if (!(atSeconds >= 0.0 && atSeconds <= underWay->report.durationSeconds)) {
     return refuse(
         {ErrorCode::kInvalidArgument, fmt::format("replan: atSeconds is {}, expected 0 to the walk's {:.2f}",
-                                                  atSeconds, underWay_->report.durationSeconds)});
+                                                  atSeconds, underWay->report.durationSeconds)});
   }
-  const double frame = atSeconds * underWay_->walk.framesPerSecond;
-  return answer(planner_.replan(*underWay_, static_cast<std::size_t>(frame), *room, *read));
+  const auto frame = static_cast<std::size_t>(atSeconds * underWay->walk.framesPerSecond);
+  return answer(session_->planner.beginOnward(*underWay, frame, asked->scene, asked->options));
 }
 
-val LibraryHandle::answer(Result<Plan> plan) {
+val LibraryHandle::answer(Result<AnytimePlan> plan) {
   if (!plan) return refuse(plan.error());
-  val value = planValue(planner_.library().skeleton, *plan);
-  if (plan->report.status == PlanStatus::kArrived) underWay_ = *std::move(plan);
-  return succeed(value);
+  return succeed(val(std::make_shared<PlanHandle>(session_, *std::move(plan))));
 }
 
 val LibraryHandle::info() const {
-  const MotionLibrary& library = planner_.library();
+  const MotionLibrary& library = this->library();
   val clips = val::array();
   for (const LibraryClip& clip : library.clips) {
     val value = val::object();
@@ -92,11 +107,11 @@ val LibraryHandle::info() const {
 }
 
 val LibraryHandle::skeleton() const {
-  return skeletonValue(planner_.library().skeleton, planner_.library().layout);
+  return skeletonValue(library().skeleton, library().layout);
 }
 
 val LibraryHandle::toBytes() const {
-  const std::vector<std::uint8_t> bytes = writeSgraph(planner_.library());
+  const std::vector<std::uint8_t> bytes = writeSgraph(library());
   return copyOut<std::uint8_t>(bytes);
 }
 

@@ -2,11 +2,11 @@
 
 #include <emscripten/val.h>
 
-#include <optional>
+#include <memory>
 #include <string>
 
 #include "graph/library.h"
-#include "walk/walk_planner.h"
+#include "session.h"
 
 namespace stridegraph::bindings {
 
@@ -18,10 +18,10 @@ class LibraryHandle {
   /// {value: Library} from .sgraph bytes, a Uint8Array.
   static emscripten::val open(const emscripten::val& bytes);
 
-  /// {value: see planValue}. The scene is JSON text.
-  emscripten::val plan(const std::string& scene, const emscripten::val& options);
+  /// {value: PlanHandle}. The scene is JSON text.
+  emscripten::val startPlan(const std::string& scene, const emscripten::val& options);
   /// The same for the last walk that arrived, which shows that second and goes on in the scene as it is now.
-  emscripten::val replan(const std::string& scene, double atSeconds, const emscripten::val& options);
+  emscripten::val startReplan(const std::string& scene, double atSeconds, const emscripten::val& options);
   /// Figures and names, see LibraryInfo in stridegraph.d.ts.
   emscripten::val info() const;
   /// See skeletonValue.
@@ -30,10 +30,10 @@ class LibraryHandle {
   emscripten::val toBytes() const;
 
  private:
-  emscripten::val answer(Result<Plan> plan);
+  const MotionLibrary& library() const { return session_->planner.library(); }
+  emscripten::val answer(Result<AnytimePlan> plan);
 
-  WalkPlanner planner_;
-  std::optional<Plan> underWay_;  ///< The last plan that arrived.
+  std::shared_ptr<Session> session_;
 };
 
 }  // namespace stridegraph::bindings

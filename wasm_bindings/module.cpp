@@ -9,6 +9,7 @@
 #include "js_values.h"
 #include "library_handle.h"
 #include "option_reader.h"
+#include "plan_handle.h"
 #include "scene/scene_json.h"
 #include "scene/scene_link.h"
 #include "walk_values.h"
@@ -83,11 +84,17 @@ EMSCRIPTEN_BINDINGS(stridegraph) {
   class_<LibraryHandle>("Library")
       .smart_ptr<std::shared_ptr<LibraryHandle>>("LibraryPointer")
       .class_function("open", &LibraryHandle::open)
-      .function("plan", &LibraryHandle::plan)
-      .function("replan", &LibraryHandle::replan)
+      .function("startPlan", &LibraryHandle::startPlan)
+      .function("startReplan", &LibraryHandle::startReplan)
       .function("info", &LibraryHandle::info)
       .function("skeleton", &LibraryHandle::skeleton)
       .function("toBytes", &LibraryHandle::toBytes);
+  class_<PlanHandle>("Plan")
+      .smart_ptr<std::shared_ptr<PlanHandle>>("PlanPointer")
+      .function("walk", &PlanHandle::walk)
+      .function("step", &PlanHandle::step)
+      .function("isDone", &PlanHandle::isDone)
+      .function("progress", &PlanHandle::progress);
   class_<BuilderHandle>("Builder")
       .smart_ptr<std::shared_ptr<BuilderHandle>>("BuilderPointer")
       .class_function("create", &BuilderHandle::create)

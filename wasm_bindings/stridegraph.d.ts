@@ -264,6 +264,14 @@ export interface Library {
    * on from that pose in the scene as it is now. A walk that still holds is kept. A walk that does not arrive
    * leaves the one under way as it was. */
   replan(scene: Scene | string, atSeconds: number, options?: PlanOptions): Walk
+  /** Plans a walk that is there at once, and gets better step by step as far as `improve` allows, under the caller's
+   * control. What plan() gives is what is there in the end. */
+  startPlan(scene: Scene | string, options?: PlanOptions): PlanInProgress
+  /** The same onward for the last walk that arrived. */
+  startReplan(scene: Scene | string, atSeconds: number, options?: PlanOptions): PlanInProgress
+  /** Plans a walk, and better ones as far as `improve` allows, in slices between which the page stays alive. Resolves
+   * with the best. */
+  planAsync(scene: Scene | string, options?: PlanOptions, run?: AsyncPlan): Promise<Walk>
   /** .sgraph bytes. */
   toBytes(): Uint8Array
   /** Frees the library; walks planned with it stay. May be called twice. */
@@ -321,13 +329,33 @@ export interface LibraryBuild {
   cancel(): void
 }
 
-export interface AsyncBuild {
+/** How long work is done in slices. */
+export interface AsyncRun {
   /** Called between slices with 0..1. */
   onProgress?: (progress: number) => void
   /** Aborting rejects with the signal's reason. */
   signal?: AbortSignal
   /** Work between two pauses, milliseconds; 12 when missing. */
   sliceMs?: number
+}
+
+export interface AsyncPlan extends AsyncRun {
+  /** Called with the first walk at once, and with every better one. */
+  onWalk?: (walk: Walk) => void
+}
+
+/** A plan that gets better. Ends with finish() or cancel(). */
+export interface PlanInProgress {
+  /** The best walk so far, or why there is none; another object whenever there is a better one. */
+  readonly walk: Walk
+  /** How much of `improve` is used up, 0..1; 1 when nothing is left to be done. */
+  readonly progress: number
+  /** Some milliseconds of work; false when nothing is left but finish(). */
+  step(): boolean
+  /** The best walk, with a report of the whole search; does the steps that are left. */
+  finish(): Walk
+  /** Gives the memory back; nothing may be called afterwards. */
+  cancel(): void
 }
 
 export interface LinkOptions {
@@ -356,7 +384,7 @@ export interface Stridegraph {
   /** Builds a library step by step, under the caller's control. */
   startBuild(clips: BvhText[], options?: BuildOptions): LibraryBuild
   /** Builds a library in slices between which the page stays alive. */
-  buildLibraryAsync(clips: BvhText[], options?: BuildOptions, run?: AsyncBuild): Promise<Library>
+  buildLibraryAsync(clips: BvhText[], options?: BuildOptions, run?: AsyncRun): Promise<Library>
   /** The fragment of a link, without '#': everything that replays the same walk anywhere. */
   encodeLink(scene: Scene | string, options?: LinkOptions): string
   /** Reads a fragment, with or without '#'. */

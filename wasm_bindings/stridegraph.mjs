@@ -1,6 +1,6 @@
 // The engine for JavaScript: the same file in browsers, workers and Node.js. Types and meanings are in
-// stridegraph.d.ts. Everything here copies in and out of WebAssembly; only a library (and a build that is
-// under way) holds on to memory there.
+// stridegraph.d.ts. Everything here copies in and out of WebAssembly; only a library (and a build or a plan that
+// is under way) holds on to memory there.
 import createStridegraphModule from './stridegraph_module.mjs'
 
 /** A refusal: its code is one of Stridegraph.errorCodes; texts are blamed by file, line and column. */
@@ -156,17 +156,37 @@ class Library {
     return structuredClone(this.#skeleton.joints)
   }
 
-  plan(scene, options) {
+  startPlan(scene, options) {
+    return this.#started(this.#handle.raw.startPlan(sceneTextOf(this.#module, scene), options))
+  }
+
+  startReplan(scene, atSeconds, options) {
     const raw = this.#handle.raw
-    const plan = unpack(raw.plan(sceneTextOf(this.#module, scene), options))
-    return new Walk(this.#module, structuredClone(this.#skeleton), plan)
+    if (typeof atSeconds !== 'number') refuse(this.#module, 'atSeconds', atSeconds, 'a number of seconds')
+    return this.#started(raw.startReplan(sceneTextOf(this.#module, scene), atSeconds, options))
+  }
+
+  #started(answer) {
+    return new PlanInProgress(this.#module, this.#skeleton, unpack(answer))
+  }
+
+  plan(scene, options) {
+    return this.startPlan(scene, options).finish()
   }
 
   replan(scene, atSeconds, options) {
-    const raw = this.#handle.raw
-    if (typeof atSeconds !== 'number') refuse(this.#module, 'atSeconds', atSeconds, 'a number of seconds')
-    const plan = unpack(raw.replan(sceneTextOf(this.#module, scene), atSeconds, options))
-    return new Walk(this.#module, structuredClone(this.#skeleton), plan)
+    return this.startReplan(scene, atSeconds, options).finish()
+  }
+
+  async planAsync(scene, options, { onWalk, ...run } = {}) {
+    run.signal?.throwIfAborted()
+    const plan = this.startPlan(scene, options)
+    let shown
+    const show = () => {
+      if (plan.walk !== shown) onWalk?.((shown = plan.walk))
+    }
+    show()
+    return inSlices(plan, run, show)
   }
 
   toBytes() {
@@ -174,6 +194,54 @@ class Library {
   }
 
   delete() {
+    this.#handle.delete()
+  }
+}
+
+/** A plan of which there is a walk, and which gets better step by step. */
+class PlanInProgress {
+  #module
+  #skeleton
+  #handle
+  #walk
+  #stepped = false
+
+  constructor(module, skeleton, raw) {
+    this.#module = module
+    this.#skeleton = skeleton
+    this.#handle = new Handle(module, raw, 'plan')
+  }
+
+  get walk() {
+    this.#walk ??= new Walk(this.#module, structuredClone(this.#skeleton), this.#handle.raw.walk())
+    return this.#walk
+  }
+
+  get progress() {
+    return this.#handle.raw.progress()
+  }
+
+  /** Some milliseconds of work; false when nothing is left but finish(). */
+  step() {
+    const raw = this.#handle.raw
+    if (raw.isDone()) return false
+    this.#stepped = true
+    if (raw.step()) this.#walk = undefined
+    return !raw.isDone()
+  }
+
+  finish() {
+    try {
+      while (this.step());
+      // The last walk's report tells of the whole search.
+      if (this.#stepped) this.#walk = undefined
+      return this.walk
+    } finally {
+      this.cancel()
+    }
+  }
+
+  cancel() {
     this.#handle.delete()
   }
 }
@@ -249,6 +317,25 @@ class LibraryBuild {
 
 const pause = () => new Promise((resolve) => setTimeout(resolve, 0))
 
+/** Finishes a build or a plan in slices before which others have their turn. */
+async function inSlices(work, { onProgress, signal, sliceMs = 12 }, onSlice) {
+  try {
+    for (let more = true; more;) {
+      await pause()
+      signal?.throwIfAborted()
+      const end = performance.now() + sliceMs
+      do more = work.step()
+      while (more && performance.now() < end)
+      onSlice?.()
+      onProgress?.(work.progress)
+    }
+    signal?.throwIfAborted()
+    return work.finish()
+  } finally {
+    work.cancel()
+  }
+}
+
 /** The engine, loaded. */
 class Stridegraph {
   #module
@@ -281,22 +368,9 @@ class Stridegraph {
     }
   }
 
-  async buildLibraryAsync(clips, options, { onProgress, signal, sliceMs = 12 } = {}) {
-    signal?.throwIfAborted()
-    const build = this.startBuild(clips, options)
-    try {
-      for (let more = true; more;) {
-        const end = performance.now() + sliceMs
-        do more = build.step()
-        while (more && performance.now() < end)
-        onProgress?.(build.progress)
-        await pause()
-        signal?.throwIfAborted()
-      }
-      return build.finish()
-    } finally {
-      build.cancel()
-    }
+  async buildLibraryAsync(clips, options, run = {}) {
+    run.signal?.throwIfAborted()
+    return inSlices(this.startBuild(clips, options), run)
   }
 
   encodeLink(scene, options) {

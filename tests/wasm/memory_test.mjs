@@ -39,6 +39,18 @@ describe('the heap', () => {
     library.delete()
   })
 
+  it('is flat after plans that are improved, finished or given up', () => {
+    const library = engine.openLibrary(defaultLibraryBytes)
+    const work = () => {
+      library.startPlan(smallRoom(), { improve: 3000 }).finish()
+      const plan = library.startPlan(smallRoom(), { improve: 3000 })
+      plan.step()
+      plan.cancel()
+    }
+    assert.deepEqual(growth(20, work), [0, 0])
+    library.delete()
+  })
+
   it('is flat when libraries come and go', () => {
     const work = () => engine.openLibrary(defaultLibraryBytes).delete()
     assert.deepEqual(growth(10, work), [0, 0])

@@ -242,6 +242,101 @@ describe('improve', () => {
   })
 })
 
+/** A long room with a wall to walk round. */
+function roomWithWall() {
+  return { ...longRoom(), obstacles: [{ x: 9, z: 5, width: 1, depth: 7 }] }
+}
+
+describe('startPlan', () => {
+  const improving = { improve: 20000 }
+
+  it('has a walk at once, and step by step comes to what plan gives', () => {
+    const plan = library.startPlan(roomWithWall(), improving)
+    const first = plan.walk
+    assert.equal(plan.progress, 0)
+    assert.deepEqual(first.positions, library.plan(roomWithWall()).positions)
+    let steps = 0
+    for (let least = 0; plan.step(); ++steps) {
+      assert.ok(plan.progress >= least && plan.progress <= 1)
+      least = plan.progress
+    }
+    assert.ok(steps >= 5, `${steps} steps`)
+    assert.equal(plan.progress, 1)
+    const last = plan.finish()
+    const atOnce = library.plan(roomWithWall(), improving)
+    assert.deepEqual(last.positions, atOnce.positions)
+    assert.equal(last.report.expansions, atOnce.report.expansions)
+    assert.ok(last.report.motion_length_m < first.report.motion_length_m)
+  })
+
+  it('is over at once where nothing is to be improved', () => {
+    const plan = library.startPlan(roomWithWall())
+    assert.equal(plan.progress, 1)
+    assert.equal(plan.step(), false)
+    assert.equal(plan.finish().status, 'arrived')
+    const none = library.startPlan({ ...roomWithWall(), goal: { x: 9, z: 5 } }, improving)
+    assert.equal(none.step(), false)
+    assert.equal(none.finish().status, 'goal_blocked')
+  })
+
+  it('refuses all use after cancel, which may be called twice', () => {
+    const plan = library.startPlan(roomWithWall(), improving)
+    const { walk } = plan
+    plan.cancel()
+    plan.cancel()
+    assert.match(refusalOf(() => plan.step()).message, /the plan was deleted/)
+    assert.equal(walk.status, 'arrived')
+  })
+
+  it('goes on when its library is deleted', () => {
+    const own = engine.openLibrary(defaultLibraryBytes)
+    const plan = own.startPlan(roomWithWall(), improving)
+    own.delete()
+    assert.equal(plan.finish().status, 'arrived')
+  })
+
+  it('goes on from the pose shown, too', () => {
+    const walk = library.plan(roomWithWall())
+    const plan = library.startReplan({ ...roomWithWall(), goal: { x: 16, z: 4 } }, 2, improving)
+    const onward = plan.finish()
+    assert.equal(onward.status, 'arrived')
+    const shown = Math.floor(2 * walk.fps) * walk.joints.length * 3
+    assert.deepEqual(onward.positions.slice(0, shown), walk.positions.slice(0, shown))
+  })
+})
+
+describe('planAsync', () => {
+  const improving = { improve: 20000 }
+
+  it('shows the first walk at once, better ones later, and resolves with the best', async () => {
+    const walks = []
+    const progress = []
+    const run = {
+      onWalk: (walk) => walks.push(walk),
+      onProgress: (share) => progress.push(share),
+      sliceMs: 1,
+    }
+    const planned = library.planAsync(roomWithWall(), improving, run)
+    assert.equal(walks.length, 1)
+    const best = await planned
+    assert.ok(walks.length >= 2, `${walks.length} walks`)
+    assert.deepEqual(best.positions, walks.at(-1).positions)
+    assert.deepEqual(best.positions, library.plan(roomWithWall(), improving).positions)
+    assert.ok(progress.length >= 2 && progress.at(-1) === 1)
+  })
+
+  it('is given up by its signal, and leaves nothing behind', async () => {
+    const controller = new AbortController()
+    const planned = library.planAsync(roomWithWall(), improving, {
+      signal: controller.signal,
+      onProgress: () => controller.abort(new Error('enough')),
+      sliceMs: 0,
+    })
+    await assert.rejects(planned, /enough/)
+    await assert.rejects(library.planAsync(roomWithWall(), {}, { signal: controller.signal }), /enough/)
+  })
+})
+
 describe('walkers', () => {
   it('pass one another without contact', () => {
     const scene = longRoom()

@@ -39,9 +39,15 @@ describe('stridegraph.d.ts', () => {
       'info',
       'joints',
       'plan',
+      'planAsync',
       'replan',
+      'startPlan',
+      'startReplan',
       'toBytes',
     ])
+    const plan = library.startPlan(smallRoom())
+    assert.deepEqual(membersOf(plan), ['cancel', 'finish', 'progress', 'step', 'walk'])
+    plan.cancel()
     assert.deepEqual(membersOf(library.plan(smallRoom())), [
       'allToGlb',
       'blended',

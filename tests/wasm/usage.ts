@@ -41,6 +41,12 @@ export async function useEverything(bytes: ArrayBuffer, signal: AbortSignal): Pr
   other.delete()
 
   const walk: Walk = library.plan(scene, { seed: 1, planner: 'prm', search: 'guided', budgetMs: 100 })
+  const plan = library.startPlan(scene, { improve: 20000, until: 1.02 })
+  while (plan.progress < 0.5 && plan.step()) console.log(plan.walk.report.motion_length_m)
+  plan.cancel()
+  library.startReplan(scene, 1.5).finish()
+  const onWalk = (better: Walk) => console.log(better.frames)
+  await library.planAsync(scene, { improve: 1e5 }, { onWalk, onProgress, signal, sliceMs: 8 })
   const firstHeight: number | undefined = walk.positions[1]
   const edges: [number, number][] = walk.report.edges
   const others: readonly Walk[] = walk.others

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "walk/walk_planner.h"
 #include "walk/test_library.h"
+#include "walk/walk_planner.h"
 
 namespace stridegraph {
 namespace {
