@@ -95,6 +95,8 @@ void App::setFont(std::vector<unsigned char> file) {
 Result<void> App::openLibrary(std::span<const std::uint8_t> bytes) {
   Result<MotionLibrary> library = readSgraph(bytes);
   if (!library) return fail(std::move(library));
+  state_.replanning.improving.reset();  // It plans with the library that goes.
+  state_.replanning.better.reset();
   state_.library = std::make_shared<const MotionLibrary>(std::move(*library));
   state_.planner = std::make_unique<const WalkPlanner>(state_.library);
   bones_ = bonesFor(state_.library->skeleton, state_.library->frames.pose(0));
@@ -154,7 +156,8 @@ bool App::frame(const FrameRequest& wanted) {
   request.viewport = withPanels(wanted.viewport);
   state_.nowSeconds += request.deltaSeconds;
   const bool resized = request.viewport != shown_.viewport || request.pixelRatio != shown_.pixelRatio;
-  if (resized || !queue_.empty() || state_.playback.playing || state_.replanning.wanted)
+  if (resized || !queue_.empty() || state_.playback.playing || state_.replanning.wanted ||
+      state_.replanning.improving)
     stayAwake(kAwakeSeconds);
   if (state_.nowSeconds < state_.notice.untilSeconds) stayAwake(kAwakeSeconds);
   if (state_.nowSeconds > awakeUntil_) return false;
@@ -170,7 +173,7 @@ bool App::frame(const FrameRequest& wanted) {
   applyAll(state_, handleEvents(state_, viewInput_, before, events, claims));
   const Handle hovered = hoverAt(state_, viewInput_, before, input_, claims);
   advance(state_, step);
-  updateWalk();
+  updateWalk(step);
   followBody(step);
   if (glide(state_.camera, step)) stayAwake(kAwakeSeconds);
   const CameraView view = viewOf(state_.camera.current, request.viewport);
@@ -194,8 +197,8 @@ void App::showPanels(const CameraView& view) {
   run(commands);
 }
 
-void App::updateWalk() {
-  planWhenDue(state_, host_.clock);
+void App::updateWalk(double deltaSeconds) {
+  if (!planWhenDue(state_, host_.clock)) improveWalk(state_, host_.clock, deltaSeconds);
   if (footprintsOfPlan_ != state_.replanning.generation) {
     footprintsOfPlan_ = state_.replanning.generation;
     footprints_.clear();

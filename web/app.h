@@ -64,7 +64,7 @@ class App {
   void showPanels(const CameraView& view);
   std::vector<ShownBody> shownBodies() const;
   void drawRoom(const CameraView& view, const FrameRequest& request);
-  void updateWalk();
+  void updateWalk(double deltaSeconds);
   void followBody(double deltaSeconds);
   void showCursor(const Handle& hovered);
   void stayAwake(double seconds);

@@ -75,6 +75,8 @@ struct Replanning {
   double lastMilliseconds = 0.0;  ///< How long the latest plan took.
   unsigned generation = 0;        ///< Grows with every plan, so that what is derived from it can follow.
   bool wentOn = false;            ///< The walk was under way in an earlier scene and goes on in this one.
+  std::optional<AnytimePlan> improving;  ///< While a better walk than that on screen is looked for.
+  std::optional<Plan> better;  ///< Found, but on screen the body would jump; shown when it would not.
 };
 
 struct Playback {

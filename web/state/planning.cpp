@@ -16,8 +16,17 @@ constexpr double kPauseSeconds = 0.12;
 constexpr double kLongestSearchMilliseconds = 2000.0;
 /// While something is dragged: the next move brings another plan anyway.
 constexpr double kLongestDragSearchMilliseconds = 150.0;
-/// When the scene rests there is a moment to look for better walks: states, for all walkers together.
+/// When the scene rests better walks are looked for: states, for all walkers together,
 constexpr std::uint64_t kImprovementExpansions = 20'000;
+/// so many at once,
+constexpr std::uint64_t kExpansionsAtOnce = 500;
+/// for some milliseconds of each frame, or a third of it where frames take long.
+constexpr double kLeastSliceMilliseconds = 5.0;
+constexpr double kSliceOfFrame = 0.33;
+
+/// A body that moves by less from one pose to another does not jump.
+constexpr double kJumpMetres = 0.01;
+constexpr Angle kJumpTurn = Angle::degrees(2.0);
 
 bool isDue(const AppState& state) {
   if (!state.replanning.wanted || !state.planner) return false;
@@ -44,24 +53,51 @@ std::optional<std::size_t> frameUnderWay(const AppState& state) {
   return static_cast<std::size_t>(frame);
 }
 
+/// Shows what a plan has now, and goes on looking for better walks.
+void show(AppState& state, AnytimePlan plan) {
+  state.plan = plan.best();
+  if (!plan.isDone()) state.replanning.improving = std::move(plan);
+}
+
 /// The one place where the page asks for a plan: the walk under way goes on, or all begin anew.
 Result<void> followScene(AppState& state, const PlanOptions& options) {
   const Scene& scene = state.shownScene();
   if (const std::optional<std::size_t> frame = frameUnderWay(state)) {
-    Result<Plan> next = state.planner->replan(*state.plan, *frame, scene, options);
+    Result<AnytimePlan> next = state.planner->beginOnward(*state.plan, *frame, scene, options);
     if (!next) return fail(std::move(next));
-    const bool stuck = !allArrive(*next);
+    const bool stuck = !allArrive(next->best());
     state.replanning.wentOn = !stuck || state.drag;
-    if (stuck && state.drag) state.troubleOnWay = std::move(next->report);
-    if (!stuck) state.plan = std::move(*next);
+    if (stuck && state.drag) state.troubleOnWay = next->best().report;
+    if (!stuck) show(state, std::move(*next));
     // Where no way leads on from the present pose, the walk has to begin differently.
     if (!stuck || state.drag) return {};
   }
   state.replanning.wentOn = false;
-  Result<Plan> plan = state.planner->plan(scene, options);
+  Result<AnytimePlan> plan = state.planner->begin(scene, options);
   if (!plan) return fail(std::move(plan));
-  state.plan = std::move(*plan);
+  show(state, std::move(*plan));
   return {};
+}
+
+/// Whether poses of two walks at a frame look alike.
+bool looksAlike(const Clip& a, const Clip& b, std::size_t frame) {
+  const PoseView before = a.pose(std::min(frame, a.frameCount() - 1));
+  const PoseView after = b.pose(std::min(frame, b.frameCount() - 1));
+  if ((before.rootPosition - after.rootPosition).norm() > kJumpMetres) return false;
+  for (std::size_t joint = 0; joint < a.jointCount; ++joint)
+    if (before.rotations[joint].angularDistance(after.rotations[joint]) > kJumpTurn.radians()) return false;
+  return true;
+}
+
+/// Whether another plan of all that arrive can be shown without a jump of any body on screen.
+bool canBeShown(const AppState& state, const Plan& other) {
+  const std::size_t frame = state.shownFrame();
+  if (frame == 0) return true;
+  const auto alike = [frame](const Plan& a, const Plan& b) {
+    return looksAlike(a.walk, b.walk, frame) && looksAlike(a.walk, b.walk, frame + 1);
+  };
+  return allArrive(*state.plan) && alike(*state.plan, other) &&
+         std::equal(state.plan->others.begin(), state.plan->others.end(), other.others.begin(), alike);
 }
 
 PlanOptions optionsOf(const AppState& state, const MillisecondClock& clock) {
@@ -89,6 +125,8 @@ bool planWhenDue(AppState& state, const MillisecondClock& clock) {
   if (!isDue(state)) return false;
   const double before = clock();
   state.troubleOnWay.reset();
+  state.replanning.improving.reset();
+  state.replanning.better.reset();
   const Result<void> followed = followScene(state, optionsOf(state, clock));
   state.planError = followed ? "" : describe(followed.error());
   if (!followed) state.plan.reset();
@@ -96,6 +134,26 @@ bool planWhenDue(AppState& state, const MillisecondClock& clock) {
   state.replanning.plannedAtSeconds = state.nowSeconds;
   state.replanning.wanted = false;
   ++state.replanning.generation;
+  return true;
+}
+
+bool improveWalk(AppState& state, const MillisecondClock& clock, double frameSeconds) {
+  Replanning& replanning = state.replanning;
+  if (replanning.wanted || state.drag) return false;
+  if (replanning.improving) {
+    AnytimePlan& plan = *replanning.improving;
+    const double until = clock() + std::max(kLeastSliceMilliseconds, kSliceOfFrame * 1000.0 * frameSeconds);
+    bool better = false;
+    do {
+      better = plan.step(kExpansionsAtOnce) || better;
+    } while (!plan.isDone() && clock() < until);
+    if (better) replanning.better = plan.best();
+    if (plan.isDone()) replanning.improving.reset();
+  }
+  if (!replanning.better || !canBeShown(state, *replanning.better)) return false;
+  state.plan = std::move(*replanning.better);
+  replanning.better.reset();
+  ++replanning.generation;
   return true;
 }
 

@@ -42,6 +42,7 @@ Pose standingAt(const MotionLibrary& library, const Placement& start) {
 
 bool advance(AppState& state, double deltaSeconds) {
   if (!state.playback.playing || !state.canPlay()) return false;
+  if (state.playback.seconds == 0.0 && state.replanning.improving) return false;
   const double length = state.walkSeconds();
   state.playback.seconds += deltaSeconds * state.playback.speed;
   if (state.playback.seconds <= length) return true;

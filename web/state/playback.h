@@ -4,7 +4,8 @@
 
 namespace stridegraph {
 
-/// Lets time pass: moves the playhead, repeats or stops at the end. Returns whether it moved.
+/// Lets time pass: moves the playhead, repeats or stops at the end. A walk begins when no better one is
+/// looked for any more. Returns whether it moved.
 bool advance(AppState& state, double deltaSeconds);
 
 /// Playback after the play button: pauses, goes on, or starts again from the end.

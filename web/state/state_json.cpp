@@ -92,7 +92,8 @@ nlohmann::json movingJson(const AppState& state) {
 std::string toJson(const AppState& state) {
   nlohmann::json json = {
       {"sentence", statusSentence(state)},
-      {"planning", state.replanning.wanted || state.drag.has_value()},
+      {"planning",
+       state.replanning.wanted || state.drag.has_value() || state.replanning.improving.has_value()},
       {"plans", state.replanning.generation},
       {"went_on", state.replanning.wentOn},
       {"frame", state.shownFrame()},
