@@ -46,7 +46,7 @@ std::vector<StartHeading> startHeadings(const MotionQuery& query, const GuidedSe
 constexpr GuidedStage kUsual = {.heuristicWeight = 1.1, .everyWay = false};
 /// Where others move: what they cost is not in the estimate, so little greed finds nothing soon, and places
 /// are there at many times, so there have to be fewer of them.
-constexpr GuidedStage kAmongMovers = {.heuristicWeight = 1.15,
+constexpr GuidedStage kAmongMovers = {.heuristicWeight = 1.18,
                                       .weightGrowth = 1.15,
                                       .everyWay = false,
                                       .cellMetres = 0.3,
@@ -62,13 +62,13 @@ constexpr GuidedStage kGreedy = {.heuristicWeight = 3.0,
                                  .transitionFactor = 0.0,
                                  .maxExpansions = 60'000,
                                  .expansionsPerMetre = 0.0};
-/// The same where others move: who has to wait needs many steps, not greed.
+/// The same where others move: who has to wait needs many steps, not greed, and few directions.
 constexpr GuidedStage kPatient = {.heuristicWeight = 1.15,
                                   .weightGrowth = 1.15,
                                   .transitionFactor = 0.6,
                                   .everyWay = false,
                                   .cellMetres = 0.3,
-                                  .headingCells = 16,
+                                  .headingCells = 8,
                                   .maxExpansions = 80'000,
                                   .expansionsPerMetre = 0.0};
 
