@@ -2,85 +2,9 @@
 // stridegraph.d.ts. Everything here copies in and out of WebAssembly; only a library (and a build or a plan that
 // is under way) holds on to memory there.
 import createStridegraphModule from './stridegraph_module.mjs'
+import { Handle, bytesOf, refuse, sceneTextOf, textOf, unpack } from './stridegraph_values.mjs'
 
-/** A refusal: its code is one of Stridegraph.errorCodes; texts are blamed by file, line and column. */
-export class StridegraphError extends Error {
-  constructor({ code, message, file, line, column }) {
-    super(message)
-    this.name = 'StridegraphError'
-    this.code = code
-    this.file = file || undefined
-    this.line = line || undefined
-    this.column = column || undefined
-  }
-}
-
-function unpack(answer) {
-  if (answer.error) throw new StridegraphError(answer.error)
-  return answer.value
-}
-
-/** Deletes what was forgotten; delete() is still the polite way, since nobody knows when this runs. */
-const forgotten = new FinalizationRegistry((raw) => raw.delete())
-
-/** An object on the WebAssembly heap, until it is deleted. */
-class Handle {
-  #raw
-  #module
-  #what
-
-  constructor(module, raw, what) {
-    this.#module = module
-    this.#raw = raw
-    this.#what = what
-    forgotten.register(this, raw, this)
-  }
-
-  get raw() {
-    if (!this.#raw) unpack(this.#module.invalidArgument(`the ${this.#what} was deleted, expected one in use`))
-    return this.#raw
-  }
-
-  delete() {
-    if (!this.#raw) return
-    forgotten.unregister(this)
-    this.#raw.delete()
-    this.#raw = undefined
-  }
-}
-
-function describe(value) {
-  if (value === null || value === undefined) return `${value}`
-  if (Array.isArray(value)) return 'an array'
-  return typeof value === 'object' ? 'an object' : `a ${typeof value}`
-}
-
-function refuse(module, what, found, expected) {
-  return unpack(module.invalidArgument(`${what} is ${describe(found)}, expected ${expected}`))
-}
-
-function textOf(module, what, value) {
-  return typeof value === 'string' ? value : refuse(module, what, value, 'a string')
-}
-
-function bytesOf(module, value) {
-  if (ArrayBuffer.isView(value)) return new Uint8Array(value.buffer, value.byteOffset, value.byteLength)
-  if (Object.prototype.toString.call(value) === '[object ArrayBuffer]') return new Uint8Array(value)
-  return refuse(module, 'the library', value, 'an ArrayBuffer or a typed array of bytes')
-}
-
-function sceneTextOf(module, scene) {
-  if (typeof scene === 'string') return scene
-  let text
-  try {
-    text = JSON.stringify(scene)
-  } catch (reason) {
-    return unpack(
-      module.invalidArgument(`the scene cannot become JSON (${reason.message}), expected a plain object`),
-    )
-  }
-  return text ?? refuse(module, 'the scene', scene, 'a scene object or its JSON text')
-}
+export { StridegraphError } from './stridegraph_values.mjs'
 
 /** A planned walk: plain values, independent of the library it came from. */
 class Walk {
