@@ -79,10 +79,10 @@ constexpr GuidedStage kBetter = {.heuristicWeight = 1.0,
                                  .cellMetres = 0.1,
                                  .headingCells = 48};
 /// How far behind the front the search for them looks, at first and by how much further each time,
-constexpr double kFirstWindowMetres = 3.0;
+constexpr double kFirstWindowMetres = 2.0;
 constexpr double kWindowGrowth = 1.5;
 /// and to what share it believes what was learned from the best walk.
-constexpr double kTrust = 0.5;
+constexpr double kTrust = 0.6;
 /// The share to which blends of the first walk count for what a better one may cost: at half their price next
 /// to none is found soon, at their whole price walks take many more blends for little.
 constexpr double kBlendsOfFirst = 0.75;

@@ -7,7 +7,7 @@ namespace stridegraph {
 /// What a walk costs, in metres: its length, and what else we would walk further to avoid.
 struct WalkCost {
   double perSecond = 0.05;        ///< Standing about is not free.
-  double perRadian = 0.02;        ///< Of bending a way: as captured is best.
+  double perRadian = 0.05;        ///< Of bending a way: as captured is best.
   double perStrain = 3.0;         ///< Of driving joints harder than usual (frameStrains).
   double perTransition = 0.28;    ///< Else three quarters of all frames would be blends.
   double perTransitionMetre = 5;  ///< Times the transition's distance: good blends are preferred.
