@@ -68,7 +68,7 @@ constexpr GuidedStage kPatient = {.heuristicWeight = 1.15,
                                   .transitionFactor = 0.6,
                                   .everyWay = false,
                                   .cellMetres = 0.3,
-                                  .headingCells = 8,
+                                  .headingCells = 12,
                                   .maxExpansions = 80'000,
                                   .expansionsPerMetre = 0.0};
 
