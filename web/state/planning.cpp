@@ -55,8 +55,12 @@ std::optional<std::size_t> frameUnderWay(const AppState& state) {
 
 /// Shows what a plan has now, and goes on looking for better walks.
 void show(AppState& state, AnytimePlan plan) {
-  state.plan = plan.best();
-  if (!plan.isDone()) state.replanning.improving = std::move(plan);
+  if (plan.isDone()) {
+    state.plan = std::move(plan).best();
+  } else {
+    state.plan = plan.best();
+    state.replanning.improving = std::move(plan);
+  }
 }
 
 /// The one place where the page asks for a plan: the walk under way goes on, or all begin anew.
