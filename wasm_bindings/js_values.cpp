@@ -43,7 +43,9 @@ val floorPoints(std::span<const Vec2> points) {
 val warningList(const Warnings& warnings) {
   val list = val::array();
   for (const Warning& warning : warnings) {
-    list.call<void>("push", describedPlace(warning.message, warning.place));
+    val described = describedPlace(warning.message, warning.place);
+    described.set("topic", std::string(warningTopicName(warning.topic)));
+    list.call<void>("push", described);
   }
   return list;
 }

@@ -232,7 +232,12 @@ export interface Warning {
   /** From 1; 0 when unknown. */
   line: number
   column: number
+  /** What it is about: warnings may be grouped by it. */
+  topic: WarningTopic
 }
+
+export type WarningTopic =
+  'other' | 'text' | 'rows' | 'time' | 'travel' | 'skeleton' | 'unit' | 'up_axis' | 'motion' | 'graph' | 'scene'
 
 /** What building found, kept and dropped, and why. */
 export interface BuildReport {

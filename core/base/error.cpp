@@ -42,6 +42,34 @@ std::string_view errorCodeName(ErrorCode code) {
   return "unknown";
 }
 
+std::string_view warningTopicName(WarningTopic topic) {
+  switch (topic) {
+    case WarningTopic::kOther:
+      return "other";
+    case WarningTopic::kText:
+      return "text";
+    case WarningTopic::kRows:
+      return "rows";
+    case WarningTopic::kTime:
+      return "time";
+    case WarningTopic::kTravel:
+      return "travel";
+    case WarningTopic::kSkeleton:
+      return "skeleton";
+    case WarningTopic::kUnit:
+      return "unit";
+    case WarningTopic::kUpAxis:
+      return "up_axis";
+    case WarningTopic::kMotion:
+      return "motion";
+    case WarningTopic::kGraph:
+      return "graph";
+    case WarningTopic::kScene:
+      return "scene";
+  }
+  return "unknown";
+}
+
 std::string describe(const Place& place) {
   std::string text = place.file;
   if (place.line == 0) return text;

@@ -60,10 +60,36 @@ struct Error {
   Place place = {};
 };
 
+/// What a warning is about; clients group warnings by it.
+enum class WarningTopic {
+  kOther,
+  kText,      ///< Encoding and names.
+  kRows,      ///< Rows of numbers and how many there are.
+  kTime,      ///< Frame times and rates.
+  kTravel,    ///< The joint whose path is the body's.
+  kSkeleton,  ///< Offsets and channels of joints.
+  kUnit,      ///< The unit of lengths.
+  kUpAxis,    ///< The axis that points up.
+  kMotion,    ///< Captured frames: glitches, cuts, the floor.
+  kGraph,     ///< What of the clips the motion graph holds.
+  kScene,     ///< Members of a scene.
+};
+
+/// Every topic, in order, for those who mirror the list (the JavaScript module does).
+inline constexpr std::array kAllWarningTopics = {
+    WarningTopic::kOther,  WarningTopic::kText,     WarningTopic::kRows,  WarningTopic::kTime,
+    WarningTopic::kTravel, WarningTopic::kSkeleton, WarningTopic::kUnit,  WarningTopic::kUpAxis,
+    WarningTopic::kMotion, WarningTopic::kGraph,    WarningTopic::kScene,
+};
+
+/// The topic's name in reports and in JavaScript, lower snake case: "up_axis".
+std::string_view warningTopicName(WarningTopic topic);
+
 /// Odd but usable input: shown to the user beside the result.
 struct Warning {
   std::string message;
   Place place = {};
+  WarningTopic topic = WarningTopic::kOther;
 };
 using Warnings = std::vector<Warning>;
 

@@ -16,11 +16,21 @@ struct BvhReadParams {
   std::optional<UpAxis> up;             ///< Inferred from where the body extends.
 };
 
+/// A guess of less confidence is doubtful: clients name it or ask about it.
+inline constexpr double kDoubtfulConfidence = 0.8;
+
+/// How surely the unit and the up axis of a file were inferred. Both values themselves are in the layout.
+struct BvhConfidence {
+  double unit = 1.0;  ///< 0..1; 1 when the unit was given.
+  double up = 1.0;    ///< 0..1; 1 when the up axis was given.
+};
+
 /// A BVH file, understood: metres, y up, rotations as quaternions.
 struct BvhDocument {
   Skeleton skeleton;
   BvhLayout layout;
   Clip clip;
+  BvhConfidence confidence;
   Warnings warnings;
 };
 

@@ -24,5 +24,12 @@ TEST(ErrorCode, everyCodeHasANameOfItsOwn) {
   EXPECT_FALSE(names.contains("unknown"));
 }
 
+TEST(WarningTopic, everyTopicHasANameOfItsOwn) {
+  std::set<std::string_view> names;
+  for (const WarningTopic topic : kAllWarningTopics) names.insert(warningTopicName(topic));
+  EXPECT_EQ(names.size(), kAllWarningTopics.size());
+  EXPECT_FALSE(names.contains("unknown"));
+}
+
 }  // namespace
 }  // namespace stridegraph
