@@ -30,8 +30,8 @@ struct BvhDocument {
   Skeleton skeleton;
   BvhLayout layout;
   Clip clip;
-  BvhConfidence confidence;
   Warnings warnings;
+  BvhConfidence confidence = {};
 };
 
 /// Reads a BVH text as tools really write it: any line ends, blanks in names, channels in any order and
