@@ -10,6 +10,7 @@
 #include "graph/jerks.h"
 #include "graph/library_checks.h"
 #include "graph/library_connection.h"
+#include "graph/library_limits.h"
 #include "graph/pose_distance.h"
 #include "graph/sgraph_file.h"
 #include "graph/transition_scan.h"
@@ -227,6 +228,7 @@ Result<LibraryBuilder> LibraryBuilder::start(std::vector<BvhDocument> clips, con
   if (clips.empty()) return fail(ErrorCode::kInvalidArgument, kNoClips);
   if (auto error = faultInClips(clips, {clips.front().skeleton, clips.front().clip.name}))
     return tl::unexpected<Error>(*std::move(error));
+  if (auto error = faultInAmount(clips, params, 0)) return tl::unexpected<Error>(*std::move(error));
   auto state = std::make_unique<State>(ClipIntake(clips.front().skeleton, params));
   state->library.skeleton = clips.front().skeleton;
   state->library.layout = clips.front().layout;
@@ -240,6 +242,8 @@ Result<LibraryBuilder> LibraryBuilder::append(MotionLibrary library, std::vector
                                               std::string license) {
   if (clips.empty()) return fail(ErrorCode::kInvalidArgument, kNoClips);
   if (auto error = faultInClips(clips, {library.skeleton, "the library"}))
+    return tl::unexpected<Error>(*std::move(error));
+  if (auto error = faultInAmount(clips, library.params, library.frames.frameCount()))
     return tl::unexpected<Error>(*std::move(error));
   MotionLibrary next;
   next.skeleton = library.skeleton;

@@ -39,7 +39,8 @@ struct BuildReport {
 /// on.
 class LibraryBuilder {
  public:
-  /// Takes the clips in; refuses those that cannot make up one library, with the reason.
+  /// Takes the clips in; refuses those that cannot make up one library, or are more than
+  /// graph/library_limits.h allows, with the reason.
   static Result<LibraryBuilder> start(std::vector<BvhDocument> clips, const LibraryParams& params,
                                       std::string license = {});
 

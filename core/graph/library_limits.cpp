@@ -1,0 +1,46 @@
+#include "graph/library_limits.h"
+
+#include <fmt/format.h>
+
+#include "graph/clip_preparation.h"
+
+namespace stridegraph {
+namespace {
+
+Error errorAt(const Clip& clip, std::string message) {
+  return {ErrorCode::kInvalidArgument, std::move(message), {clip.name}};
+}
+
+}  // namespace
+
+std::optional<Error> faultInAmount(const std::vector<BvhDocument>& clips, const LibraryParams& params,
+                                   std::size_t framesBefore) {
+  std::size_t frames = framesBefore;
+  for (const BvhDocument& document : clips) {
+    const Clip& clip = document.clip;
+    if (params.framesPerSecond > kMostFramesForOne * clip.framesPerSecond) {
+      return errorAt(
+          clip, fmt::format("found {:.4g} frames a second, expected at least {:.4g}: the library's {:.4g} "
+                            "may be at most {} times as many",
+                            clip.framesPerSecond, params.framesPerSecond / kMostFramesForOne,
+                            params.framesPerSecond, kMostFramesForOne));
+    }
+    frames += frameCountAtLibraryRate(clip, params.framesPerSecond) * (params.mirror ? 2 : 1);
+    if (frames > kMostLibraryFrames) {
+      return errorAt(
+          clip, fmt::format("found {} frames with this clip, expected at most {} in a library (at {:.4g} "
+                            "frames a second{})",
+                            frames, kMostLibraryFrames, params.framesPerSecond,
+                            params.mirror ? ", mirror images among them" : ""));
+    }
+    if (frames > kMostLibraryRotations / document.skeleton.size()) {
+      return errorAt(
+          clip, fmt::format("found {} frames of {} joints with this clip, expected at most {} rotations in "
+                            "a library",
+                            frames, document.skeleton.size(), kMostLibraryRotations));
+    }
+  }
+  return {};
+}
+
+}  // namespace stridegraph
