@@ -96,6 +96,7 @@ struct LibraryBuilder::State {
   void levelOne();
   void mirrorOne();
   void featuresOfOne();
+  void scanSome();
   void jerksOfOne();
   void warnOfJerks();
   void connect();
@@ -153,6 +154,14 @@ void LibraryBuilder::State::featuresOfOne() {
   if (++next < clips().size()) return;
   scan.emplace(std::move(features), valleyParams(library.params), intake.takeKnown());
   enter(Stage::kScan);
+}
+
+void LibraryBuilder::State::scanSome() {
+  const bool goesOn = scan->step();
+  report.framePairs = scan->framePairs();
+  if (auto fault = faultInRegionCount(scan->regionCount()))
+    return refuse(ErrorCode::kInvalidArgument, *std::move(fault));
+  if (!goesOn) enter(Stage::kJerks);
 }
 
 void LibraryBuilder::State::collectFrames() {
@@ -275,8 +284,7 @@ bool LibraryBuilder::step() {
       state.featuresOfOne();
       break;
     case Stage::kScan:
-      if (!state.scan->step()) state.enter(Stage::kJerks);
-      state.report.framePairs = state.scan->framePairs();
+      state.scanSome();
       break;
     case Stage::kJerks:
       state.jerksOfOne();

@@ -43,4 +43,12 @@ std::optional<Error> faultInAmount(const std::vector<BvhDocument>& clips, const 
   return {};
 }
 
+std::optional<std::string> faultInRegionCount(std::size_t regions) {
+  if (regions <= kMostLibraryRegions) return {};
+  return fmt::format(
+      "found more than {} pairs of alike pieces, expected at most so many in a library; fewer or "
+      "shorter clips of the same motion, a smaller threshold or more neighbours may help",
+      kMostLibraryRegions);
+}
+
 }  // namespace stridegraph

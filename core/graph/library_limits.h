@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "base/error.h"
@@ -22,6 +23,8 @@ inline constexpr std::uint64_t kMostLibraryPairs =
     std::uint64_t{kMostLibraryFrames} * (kMostLibraryFrames + 1) / 2;
 /// Frames times joints and end sites: a rotation is kept for each.
 inline constexpr std::size_t kMostLibraryRotations = 20'000'000;
+/// Pairs of pieces that are alike. The graph that is made of them and pruned takes some 300 bytes for each.
+inline constexpr std::size_t kMostLibraryRegions = 5'000'000;
 /// How many times more frames a clip may have at the library's rate than as captured: 2.5 frames a second in
 /// a library of 30. What lies between frames that are farther apart is made up rather than captured.
 inline constexpr double kMostFramesForOne = 12.0;
@@ -31,5 +34,8 @@ inline constexpr double kMostFramesForOne = 12.0;
 /// clips are not brought to the library's rate. `params` are in range and clips have a rate above 0.
 std::optional<Error> faultInAmount(const std::vector<BvhDocument>& clips, const LibraryParams& params,
                                    std::size_t framesBefore);
+
+/// The same of the regions that were found among them so far.
+std::optional<std::string> faultInRegionCount(std::size_t regions);
 
 }  // namespace stridegraph

@@ -30,6 +30,8 @@ class TransitionScan {
   double progress() const;
   /// Pairs of frames compared so far; each unordered pair counts once.
   std::size_t framePairs() const { return framePairs_; }
+  /// Regions found or known so far.
+  std::size_t regionCount() const { return found_.size() + (pairIsBegun_ ? valleys_.regionCount() : 0); }
   /// What was found or known, in ascending order; empties the scan.
   std::vector<AlikeRegion> take();
 

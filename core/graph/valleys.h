@@ -58,6 +58,8 @@ class ValleyFinder {
   std::size_t reach() const;
   /// The next row of the matrix, valid from `firstColumn` on.
   void addRow(std::span<const std::uint32_t> micrometres, std::size_t firstColumn);
+  /// Regions found so far.
+  std::size_t regionCount() const { return regions_.size(); }
   /// After the last row: the regions, by row, then column, then spans.
   std::vector<Region> finish();
 

@@ -37,6 +37,7 @@ TEST(LibraryLimits, areThoseOfTheDocument) {
   EXPECT_EQ(statedLimit(document, "frames of a library, at its rate, mirror images among them"),
             kMostLibraryFrames);
   EXPECT_EQ(statedLimit(document, "pairs of frames that are compared"), kMostLibraryPairs);
+  EXPECT_EQ(statedLimit(document, "pairs of alike pieces that are found"), kMostLibraryRegions);
   EXPECT_EQ(statedLimit(document, "rotations of a library: frames times joints and end sites"),
             kMostLibraryRotations);
   EXPECT_EQ(statedLimit(document, "frames that resampling makes of one"), kMostFramesForOne);
@@ -79,6 +80,22 @@ TEST(LibraryLimits, holdForFramesThatAreAppended) {
   ASSERT_FALSE(refused);
   EXPECT_TRUE(refused.error().message.starts_with("found 250001 frames with this clip"))
       << refused.error().message;
+}
+
+TEST(LibraryLimits, holdForAlikePiecesWhileTheyAreFound) {
+  // Each of 3,500 frames is like each other one, and neighbours are all kept.
+  auto builder = LibraryBuilder::start(
+      {still(3'500, 30)}, {.transitionFrames = 2, .neighbourFrames = 0, .largestSpanRatio = 1.0});
+  ASSERT_TRUE(builder);
+  while (builder->step()) {
+  }
+  EXPECT_LT(builder->progress(), 1.0 + 1e-9);
+  EXPECT_LT(builder->report().framePairs, 3'500U * 3'501U / 2U) << "it stops at once";
+  const auto library = builder->finish();
+  ASSERT_FALSE(library);
+  EXPECT_EQ(library.error().code, ErrorCode::kInvalidArgument);
+  EXPECT_TRUE(library.error().message.starts_with("found more than 5000000 pairs of alike pieces"))
+      << library.error().message;
 }
 
 TEST(LibraryLimits, holdForRotations) {
