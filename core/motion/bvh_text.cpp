@@ -241,7 +241,8 @@ Result<BvhText> decodeUtf16(std::string_view bytes, ByteOrder order, std::string
     warn(fmt::format("read the text as UTF-16 ({}-endian), though it has no byte-order mark",
                      isLittle ? "little" : "big"));
   if (utf16.loneSurrogates > 0)
-    warn(fmt::format("found {} halves of UTF-16 pairs alone and read each as U+FFFD", utf16.loneSurrogates));
+    warn(fmt::format("read UTF-16 surrogates without their other half ({} in all) as U+FFFD",
+                     utf16.loneSurrogates));
   if (utf16.hasHalfUnit) warn("left out the last byte, which is half of a UTF-16 character");
   if (const std::string_view content = otherContentIn(utf16.utf8); !content.empty())
     return refuse(fmt::format("what seems to be {} in UTF-16", content), file);

@@ -79,7 +79,8 @@ TEST(BvhText, takesOddUtf16AndSaysSo) {
   text.replace(text.find('~'), 2, "\x3D\xD8");
   const BvhDocument lone = read(text);
   EXPECT_EQ(lone.skeleton.joints[3].name, "\xEF\xBF\xBD");
-  EXPECT_EQ(warningsOf(lone), "body.bvh: found 1 halves of UTF-16 pairs alone and read each as U+FFFD\n");
+  EXPECT_EQ(warningsOf(lone),
+            "body.bvh: read UTF-16 surrogates without their other half (1 in all) as U+FFFD\n");
   // Two marks: the second is a blank, and the text is the decoder's own.
   expectBody("\xFF\xFE\xFF\xFE" + widened(kBodyText, 2, 0),
              "body.bvh:1:1: found 1 odd blank or control character (U+FEFF) and read it as a blank\n");
