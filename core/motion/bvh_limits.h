@@ -6,9 +6,9 @@ namespace stridegraph {
 
 /// Limits of what is read from a BVH file. docs/motion-files.md states the same figures, and a test compares
 /// both. Each limit is checked before memory is taken for what it counts; together they keep a file within
-/// two gigabytes of memory, which is what WebAssembly has.
+/// about two gigabytes of memory, which is what WebAssembly has.
 
-/// Bytes of a file: two hours of a whole body with fingers at 60 Hz.
+/// Bytes of a file: more than an hour of a whole body with fingers at 60 Hz.
 inline constexpr std::size_t kMostBvhBytes = 500'000'000;
 /// Joints and end sites of a skeleton.
 inline constexpr std::size_t kMostBvhJoints = 10'000;
