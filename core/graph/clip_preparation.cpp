@@ -43,7 +43,8 @@ Warning liftWarning(const std::string& clipName, double liftMetres) {
   return {fmt::format("its floor lies {:.1f} cm {} that of the first clip; it was {} to that",
                       100.0 * std::abs(liftMetres), liftMetres < 0.0 ? "above" : "below",
                       liftMetres < 0.0 ? "lowered" : "raised"),
-          {clipName}};
+          {clipName},
+          WarningTopic::kMotion};
 }
 
 void roundToFloats(const Skeleton& skeleton, Clip& clip) {

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <tuple>
 
+#include "base/utf8.h"
 #include "graph/graph_building.h"
+#include "graph/library_limits.h"
 
 namespace stridegraph {
 namespace {
@@ -116,6 +118,36 @@ Fault faultInRegions(const MotionLibrary& library) {
   return {};
 }
 
+Fault faultInAmounts(const MotionLibrary& library) {
+  struct Amount {
+    const char* things;
+    std::size_t found;
+    std::size_t most;
+  };
+  const Amount amounts[] = {{"clips", library.clips.size(), kMostLibraryClips},
+                            {"frames", library.frames.frameCount(), kMostLibraryFrames},
+                            {"rotations", library.frames.rotations.size(), kMostLibraryRotations},
+                            {"regions", library.regions.size(), kMostLibraryRegions},
+                            {"notes", library.notes.size(), kMostLibraryNotes},
+                            {"bytes of licence", library.license.size(), kMostLicenseBytes}};
+  for (const Amount& amount : amounts) {
+    if (amount.found > amount.most)
+      return fmt::format("{} {}, at most {} expected", amount.found, amount.things, amount.most);
+  }
+  return {};
+}
+
+Fault faultInNotes(const MotionLibrary& library) {
+  for (std::size_t n = 0; n < library.notes.size(); ++n) {
+    for (const std::string* text : {&library.notes[n].message, &library.notes[n].place.file}) {
+      if (text->size() > kMostNoteBytes)
+        return fmt::format("note {} of {} bytes, at most {} expected", n, text->size(), kMostNoteBytes);
+      if (!isUtf8(*text)) return fmt::format("note {} is not UTF-8", n);
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
 Fault faultIn(const LibraryParams& params) {
@@ -171,6 +203,8 @@ Fault faultIn(const Skeleton& skeleton, const Clip& clip) {
 
 Fault faultIn(const MotionLibrary& library) {
   if (Fault fault = faultIn(library.params)) return fault;
+  if (Fault fault = faultInAmounts(library)) return fault;
+  if (Fault fault = faultInNotes(library)) return fault;
   if (Fault fault = faultIn(library.skeleton)) return fault;
   if (Fault fault = faultIn(library.skeleton, library.frames)) return fault;
   if (library.frames.framesPerSecond != library.params.framesPerSecond)

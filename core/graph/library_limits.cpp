@@ -13,9 +13,16 @@ Error errorAt(const Clip& clip, std::string message) {
 
 }  // namespace
 
-std::optional<Error> faultInAmount(const std::vector<BvhDocument>& clips, const LibraryParams& params,
-                                   std::size_t framesBefore) {
-  std::size_t frames = framesBefore;
+std::optional<Error> faultInAmount(std::span<const BvhDocument> clips, const LibraryParams& params,
+                                   const HeldAmount& held) {
+  const std::size_t images = params.mirror ? 2 : 1;
+  const std::size_t clipCount = held.clips + images * clips.size();
+  if (clipCount > kMostLibraryClips) {
+    return Error{ErrorCode::kInvalidArgument,
+                 fmt::format("found {} clips, expected at most {} in a library{}", clipCount,
+                             kMostLibraryClips, params.mirror ? ", mirror images among them" : "")};
+  }
+  std::size_t frames = held.frames;
   for (const BvhDocument& document : clips) {
     const Clip& clip = document.clip;
     if (params.framesPerSecond > kMostFramesForOne * clip.framesPerSecond) {
@@ -25,7 +32,7 @@ std::optional<Error> faultInAmount(const std::vector<BvhDocument>& clips, const 
                             clip.framesPerSecond, params.framesPerSecond / kMostFramesForOne,
                             params.framesPerSecond, kMostFramesForOne));
     }
-    frames += frameCountAtLibraryRate(clip, params.framesPerSecond) * (params.mirror ? 2 : 1);
+    frames += frameCountAtLibraryRate(clip, params.framesPerSecond) * images;
     if (frames > kMostLibraryFrames) {
       return errorAt(
           clip, fmt::format("found {} frames with this clip, expected at most {} in a library (at {:.4g} "

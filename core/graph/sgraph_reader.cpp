@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "base/utf8.h"
 #include "graph/graph_building.h"
 #include "graph/library_checks.h"
 #include "graph/sgraph_file.h"
@@ -17,8 +18,9 @@ using Fault = std::optional<std::string>;
 /// Smaller than any library: identifier, root and the fields of an empty one.
 constexpr std::size_t kLeastBytes = 64;
 
+/// Programs before notes were kept wrote texts in any encoding.
 std::string text(const flatbuffers::String* string) {
-  return string->str();
+  return toUtf8({string->data(), string->size()});
 }
 
 Fault readJoints(const sgraph::Library& file, MotionLibrary& library) {
@@ -129,6 +131,27 @@ void readRest(const sgraph::Library& file, MotionLibrary& library) {
   library.hash = file.hash();
 }
 
+void readNotes(const sgraph::Library& file, MotionLibrary& library) {
+  if (file.notes() == nullptr) return;
+  for (const sgraph::Note* record : *file.notes()) {
+    // A newer program may know more topics.
+    const bool known = record->topic() < kAllWarningTopics.size();
+    library.notes.push_back({text(record->message()),
+                             {text(record->file()), static_cast<std::size_t>(record->line()),
+                              static_cast<std::size_t>(record->column())},
+                             known ? kAllWarningTopics[record->topic()] : WarningTopic::kOther});
+  }
+}
+
+/// Whether the hash that a field of the file holds is that of all other bytes.
+bool hashHolds(const std::vector<std::uint8_t>& bytes, flatbuffers::voffset_t field) {
+  const auto* table = flatbuffers::GetRoot<flatbuffers::Table>(bytes.data());
+  const std::uint8_t* place = table->GetAddressOf(field);
+  if (place == nullptr) return false;
+  const auto hash = flatbuffers::ReadScalar<std::uint64_t>(place);
+  return hashAround(bytes, static_cast<std::size_t>(place - bytes.data())) == hash;
+}
+
 /// What is wrong with the bytes as a FlatBuffers file of ours.
 std::optional<Error> faultInBytes(const std::vector<std::uint8_t>& bytes) {
   const auto damaged = [](std::string message) {
@@ -147,9 +170,8 @@ std::optional<Error> faultInBytes(const std::vector<std::uint8_t>& bytes) {
                              "build it anew from its clips",
                              file.version(), kSgraphVersion)};
   }
-  const auto* table = flatbuffers::GetRoot<flatbuffers::Table>(bytes.data());
-  const std::uint8_t* place = table->GetAddressOf(sgraph::Library::VT_HASH);
-  if (place == nullptr || hashAround(bytes, static_cast<std::size_t>(place - bytes.data())) != file.hash())
+  // With notes the library's own hash is that of other bytes; the file's covers it.
+  if (!hashHolds(bytes, file.notes() == nullptr ? sgraph::Library::VT_HASH : sgraph::Library::VT_FILE_HASH))
     return damaged("the motion library is altered: its hash does not hold");
   return {};
 }
@@ -169,6 +191,7 @@ Result<MotionLibrary> readSgraph(std::span<const std::uint8_t> bytes) {
   if (!fault) {
     readRegions(file, library);
     readRest(file, library);
+    readNotes(file, library);
     fault = faultIn(library);
   }
   if (fault) return fail(ErrorCode::kAssetDamaged, "the motion library is not sound: " + *fault);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "graph/library_checks.h"
 #include "graph/test_library.h"
 #include "motion/captures.h"
 #include "motion/stated_limits.h"
@@ -41,6 +42,26 @@ TEST(LibraryLimits, areThoseOfTheDocument) {
   EXPECT_EQ(statedLimit(document, "rotations of a library: frames times joints and end sites"),
             kMostLibraryRotations);
   EXPECT_EQ(statedLimit(document, "frames that resampling makes of one"), kMostFramesForOne);
+  EXPECT_EQ(statedLimit(document, "clips of a library, mirror images and pieces of cut clips among them"),
+            kMostLibraryClips);
+  EXPECT_EQ(statedLimit(document, "notes"), kMostLibraryNotes);
+  EXPECT_EQ(statedLimit(document, "bytes of a note"), kMostNoteBytes);
+  EXPECT_EQ(statedLimit(document, "bytes of the licence line"), kMostLicenseBytes);
+}
+
+TEST(LibraryLimits, ofParametersAreDocumentedAsTheyAreRefused) {
+  const std::string document = testing::contentOf(STRIDEGRAPH_DOCS "/motion-files.md");
+  const auto states = [&](std::string_view row) { return document.find(row) != std::string::npos; };
+  EXPECT_TRUE(states("| Frames of a transition | 2 to 120 |"));
+  EXPECT_FALSE(faultIn(LibraryParams{.transitionFrames = 2}));
+  EXPECT_FALSE(faultIn(LibraryParams{.transitionFrames = 120}));
+  EXPECT_TRUE(faultIn(LibraryParams{.transitionFrames = 121}));
+  EXPECT_TRUE(states("| Frames a second | 1 to 240 |"));
+  EXPECT_FALSE(faultIn(LibraryParams{.framesPerSecond = 240.0}));
+  EXPECT_TRUE(faultIn(LibraryParams{.framesPerSecond = 240.5}));
+  EXPECT_TRUE(states("| Transitions kept | 15,000, or as asked: 1,000 or more |"));
+  EXPECT_EQ(LibraryParams{}.mostTransitions, 15'000U);
+  EXPECT_TRUE(faultIn(LibraryParams{.mostTransitions = 999}));
 }
 
 TEST(LibraryLimits, holdForFramesThatResamplingMultiplies) {
@@ -103,9 +124,9 @@ TEST(LibraryLimits, holdForRotations) {
   const std::size_t joints = kMostLibraryRotations / 100;
   clips[0].skeleton.joints.resize(joints);
   clips[0].clip.rootPositions.resize(100);
-  EXPECT_FALSE(faultInAmount(clips, {}, 0));
+  EXPECT_FALSE(faultInAmount(clips, {}));
   clips[0].clip.rootPositions.resize(101);
-  const auto fault = faultInAmount(clips, {}, 0);
+  const auto fault = faultInAmount(clips, {});
   ASSERT_TRUE(fault);
   EXPECT_EQ(describe(*fault),
             "still: found 101 frames of 200000 joints with this clip, expected at most 20000000 rotations in "
