@@ -105,6 +105,7 @@ val bodyValue(const RoundBody& body) {
   val value = val::object();
   value.set("standing", copyOut<double>(standing));
   value.set("parts", copyOut<double>(parts));
+  value.set("lift", body.liftMetres);
   return value;
 }
 
@@ -112,6 +113,7 @@ RoundBody readBody(const val& value) {
   RoundBody body;
   const auto standing = emscripten::convertJSArrayToNumberVector<double>(value["standing"]);
   const auto parts = emscripten::convertJSArrayToNumberVector<double>(value["parts"]);
+  body.liftMetres = value["lift"].as<double>();
   body.standing.rootPosition = {standing[0], standing[1], standing[2]};
   for (std::size_t i = 3; i + 3 < standing.size(); i += 4)
     body.standing.rotations.emplace_back(standing[i], standing[i + 1], standing[i + 2], standing[i + 3]);

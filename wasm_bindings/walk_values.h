@@ -9,9 +9,9 @@ namespace stridegraph::bindings {
 
 /// The skeleton, the BVH layout and the body as plain values, so that a walk outlives the library it came
 /// from: {joints: [{name, parent, isEndSite, offset}], channels, endSiteNames, unitsPerMetre, up, body:
-/// {standing, parts}}. Parent is -1 for the root; channels are numbers of BvhChannel; standing is a
-/// Float64Array of root position (x, y, z) and rotations (w, x, y, z), parts one of 10 numbers for each part
-/// of the body: of either end joint, offset and radius.
+/// {standing, parts, lift (metres)}}. Parent is -1 for the root; channels are numbers of BvhChannel; standing
+/// is a Float64Array of root position (x, y, z) and rotations (w, x, y, z), parts one of 10 numbers for each
+/// part of the body: of either end joint, offset and radius.
 emscripten::val skeletonValue(const MotionLibrary& library);
 
 /// A plan as plain values: {status, report (JSON text), fps, frames, rootPositions (Float64Array, frames x

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/check.h"
+#include "math/percentile.h"
 
 namespace stridegraph {
 namespace {
@@ -14,7 +15,11 @@ constexpr double kStandingShare = 0.85;
 constexpr double kKneeShare = 0.2;        ///< Of the height: legs come below, hands do not.
 constexpr double kHeadReachShare = 0.25;  ///< Of the height: chains of a head are shorter, arms are longer.
 constexpr double kLongBoneShare = 0.02;   ///< Of the height: shorter bones join twist joints.
-constexpr double kToeShare = 0.02;        ///< Of the height.
+/// How high toe joints lie over the floor, as shares of the height: usual, and the least and most that soles
+/// can make up for.
+constexpr double kToeShare = 0.02, kLowestToeShare = 0.008, kHighestToeShare = 0.03;
+/// Of the frames, in which a foot is down: bodies that run are in the air for half of the time.
+constexpr double kDownShare = 0.3;
 
 /// No joint turned, the lowest as high over the floor as toes are.
 Pose restPoseOf(const Skeleton& skeleton) {
@@ -45,14 +50,19 @@ Pose copyOf(const PoseView& pose) {
   return copy;
 }
 
+double lowestOf(const std::vector<JointPlacement>& placed) {
+  double lowest = placed[0].position.y();
+  for (const JointPlacement& joint : placed) lowest = std::min(lowest, joint.position.y());
+  return lowest;
+}
+
 /// Joint by joint the heights over the frame's lowest joint, one for each sampled frame.
 std::vector<std::vector<double>> heightsOf(const Skeleton& skeleton, const std::vector<Pose>& poses) {
   std::vector<std::vector<double>> heights(skeleton.size());
   std::vector<JointPlacement> placed(skeleton.size());
   for (const Pose& pose : poses) {
     placeJoints(skeleton, pose.view(), placed);
-    double lowest = placed[0].position.y();
-    for (const JointPlacement& joint : placed) lowest = std::min(lowest, joint.position.y());
+    const double lowest = lowestOf(placed);
     for (std::size_t j = 0; j < skeleton.size(); ++j) heights[j].push_back(placed[j].position.y() - lowest);
   }
   return heights;
@@ -159,6 +169,25 @@ void linkJoints(BodyAnatomy& body) {
   }
 }
 
+/// Raises everything, so that the lowest joints lie as high over the floor as those of feet.
+void standOnFloor(BodyAnatomy& body) {
+  if (body.rootsOf(Limb::kLeg).empty()) return;
+  std::vector<double> lowest;
+  std::vector<JointPlacement> placed(body.skeleton.size());
+  for (const Pose& pose : body.samples) {
+    placeJoints(body.skeleton, pose.view(), placed);
+    lowest.push_back(lowestOf(placed));
+  }
+  const double level = percentile(std::move(lowest), kDownShare);
+  const double share = level / body.heightMetres;
+  if (share >= kLowestToeShare && share <= kHighestToeShare) return;
+  body.liftMetres = kToeShare * body.heightMetres - level;
+  for (Pose& pose : body.samples) pose.rootPosition.y() += body.liftMetres;
+  for (JointPlacement& joint : body.placed) joint.position.y() += body.liftMetres;
+  body.standing.rootPosition.y() += body.liftMetres;
+  body.floorMetres += body.liftMetres;
+}
+
 }  // namespace
 
 std::vector<std::size_t> BodyAnatomy::rootsOf(Limb kind) const {
@@ -202,6 +231,7 @@ BodyAnatomy bodyAnatomy(const Skeleton& skeleton, const Clip& frames) {
   body.heightMetres = std::max(highest->position.y() - body.floorMetres, 0.3);
   divide(body);
   alignLegs(body);
+  standOnFloor(body);
   return body;
 }
 

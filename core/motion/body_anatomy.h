@@ -24,7 +24,10 @@ struct BodyAnatomy {
   std::vector<double> reach = {};    ///< Of the longest chain of bones below each joint, metres.
   std::vector<Limb> limb = {};
   std::vector<int> depthInLimb = {};  ///< Long bones since the joint where a limb begins; of legs, the hip.
-  double floorMetres = 0.0;           ///< Height of the lowest joint while standing, world.
+  /// What poses of the motion are to be raised by, so that feet stand on the floor y = 0: 0 where their
+  /// joints already lie as high over it as in a foot, and for bodies without legs.
+  double liftMetres = 0.0;
+  double floorMetres = 0.0;   ///< Height of the lowest joint while standing, world.
   double heightMetres = 0.3;  ///< From the lowest joint to the highest one while standing, 0.3 or more.
 
   const Vec3& at(std::size_t joint) const { return placed[joint].position; }

@@ -140,7 +140,9 @@ class MeshBuilder {
 
 BodyMesh buildBodyMesh(const Skeleton& skeleton, const RoundBody& body) {
   constexpr std::size_t kMostJoints = std::numeric_limits<std::uint16_t>::max();
-  const std::vector<Capsule> capsules = placeParts(body, skeleton, body.standing.view());
+  Pose standing = body.standing;
+  standing.rootPosition.y() -= body.liftMetres;
+  const std::vector<Capsule> capsules = placeParts(body, skeleton, standing.view());
   MeshBuilder builder;
   for (std::size_t i = 0; i < capsules.size(); ++i) {
     const std::size_t from = body.parts[i].from.joint.value;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <span>
 
 #include "math/percentile.h"
@@ -12,6 +13,8 @@ namespace {
 constexpr double kAnkleRadiusMetres = 0.041, kHeelRadiusMetres = 0.036, kBallRadiusMetres = 0.037;
 /// Of the heights of a point: single frames may dip lower.
 constexpr double kDownShare = 0.02;
+/// Of the frames, in which a foot is down for certain: bodies that run are in the air for half of the time.
+constexpr double kPlantedShare = 0.3;
 /// How far behind the ankle the heel may lie, as shares of the level way from the ball of the foot to it.
 constexpr std::array<double, 9> kHeelShares = {0.44, 0.41, 0.38, 0.35, 0.32, 0.29, 0.26, 0.23, 0.20};
 /// A heel that dips deeper than it stands in the flat foot lies too far back.
@@ -78,6 +81,18 @@ void addHeel(const BodyAnatomy& body, std::size_t ankle, std::size_t ball, doubl
   parts.push_back({heel, {joint, body.skeleton.joints[ball].offset, kBallRadiusMetres * scale}});
 }
 
+/// How far the lowest of the parts' ends lies over the floor in the frames in which a foot is down.
+double heightOver(const SampledJoints& legs, const BodyAnatomy& body, const std::vector<BodyPart>& parts) {
+  std::vector<double> lowest(legs.count(), std::numeric_limits<double>::max());
+  for (const BodyPart& part : parts) {
+    if (body.limb[part.from.joint.value] != Limb::kLeg) continue;
+    for (const PartEnd* const end : {&part.from, &part.to})
+      for (std::size_t i = 0; i < lowest.size(); ++i)
+        lowest[i] = std::min(lowest[i], legs.point(i, end->joint, end->offset).y() - end->radius);
+  }
+  return percentile(std::move(lowest), kPlantedShare);
+}
+
 bool isFoot(const BodyAnatomy& body, std::size_t joint) {
   return body.limb[joint] == Limb::kLeg && body.depthInLimb[joint] >= kAnkleDepth;
 }
@@ -90,13 +105,22 @@ bool isLegsEnd(const BodyAnatomy& body, const PartEnd& end) {
   });
 }
 
-void fitEnd(const BodyAnatomy& body, const SampledJoints& legs, PartEnd& end) {
+bool isSole(const BodyAnatomy& body, const PartEnd& end) {
   const std::size_t joint = end.joint.value;
   const bool isAnkle = end.offset == Vec3::Zero() && body.depthInLimb[joint] == kAnkleDepth;
-  const bool isSole = (isFoot(body, joint) && !isAnkle) || isLegsEnd(body, end);
-  const double thickest = isSole ? kThickestSole : 1.0;
+  return (isFoot(body, joint) && !isAnkle) || isLegsEnd(body, end);
+}
+
+void fitEnd(const BodyAnatomy& body, const SampledJoints& legs, PartEnd& end) {
+  const double thickest = isSole(body, end) ? kThickestSole : 1.0;
   end.radius =
       std::clamp(legs.downMetres(end.joint, end.offset), kThinnestSole * end.radius, thickest * end.radius);
+}
+
+void addToSole(const BodyAnatomy& body, double metres, const PartEnd& standard, PartEnd& end) {
+  if (!isSole(body, end)) return;
+  end.radius =
+      std::clamp(end.radius + metres, kThinnestSole * standard.radius, kThickestSole * standard.radius);
 }
 
 }  // namespace
@@ -118,10 +142,18 @@ void fitSoles(const BodyAnatomy& body, std::vector<BodyPart>& parts) {
     if (body.limb[j] == Limb::kLeg) joints.emplace_back(j);
   if (joints.empty()) return;
   const SampledJoints legs(body, joints);
+  const std::vector<BodyPart> standard = parts;
   for (BodyPart& part : parts) {
     if (body.limb[part.from.joint.value] != Limb::kLeg) continue;
     fitEnd(body, legs, part.from);
     fitEnd(body, legs, part.to);
+  }
+  // Feet of captures do not come down to the same height: what is left of that is made up for on the whole.
+  const double rest = heightOver(legs, body, parts);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (body.limb[parts[i].from.joint.value] != Limb::kLeg) continue;
+    addToSole(body, rest, standard[i].from, parts[i].from);
+    addToSole(body, rest, standard[i].to, parts[i].to);
   }
 }
 

@@ -45,11 +45,12 @@ std::vector<float> keyTimes(const Clip& clip) {
   return times;
 }
 
-std::vector<float> rootKeys(const Clip& clip) {
+std::vector<float> rootKeys(const Clip& clip, double liftMetres) {
   std::vector<float> keys;
   keys.reserve(3 * clip.frameCount());
   for (const Vec3& position : clip.rootPositions)
-    for (const double coordinate : position) keys.push_back(finiteFloat(coordinate));
+    for (const double coordinate : Vec3(position + liftMetres * Vec3::UnitY()))
+      keys.push_back(finiteFloat(coordinate));
   return keys;
 }
 

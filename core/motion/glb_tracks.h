@@ -12,8 +12,8 @@ namespace stridegraph {
 
 /// Seconds of each frame: from 0 on, each later than the one before.
 std::vector<float> keyTimes(const Clip& clip);
-/// x, y, z of the root, frame by frame, metres.
-std::vector<float> rootKeys(const Clip& clip);
+/// x, y, z of the root, raised by `liftMetres`, frame by frame, metres.
+std::vector<float> rootKeys(const Clip& clip, double liftMetres);
 /// x, y, z, w of unit length; no turn for what is none.
 std::array<float, 4> rotationKey(const Quat& rotation);
 /// rotationKey() of a joint, frame by frame, no two neighbours with a negative dot product.

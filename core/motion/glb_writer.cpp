@@ -78,6 +78,7 @@ class GlbWriter {
       if (!skeleton.joints[j].isEndSite) placeOf_[j] = places++;
     standing_.jointCount = skeleton.size();
     standing_.append(body.standing.view());
+    standing_.rootPositions[0].y() -= body.liftMetres;
   }
 
   std::vector<std::uint8_t> write() {
@@ -125,6 +126,7 @@ class GlbWriter {
     makeNamesUnique(model_.materials);
   }
 
+  Vec3 lift() const { return body_.liftMetres * Vec3::UnitY(); }
   int nodeCount() const { return static_cast<int>(model_.nodes.size()); }
 
   /// A node for each joint that can turn, placed as in the first frame; below one of their own where there
@@ -145,7 +147,7 @@ class GlbWriter {
       const int index = nodeCount();
       tinygltf::Node& node = model_.nodes.emplace_back();
       node.name = named(exportName(joint.name, "joint"), each.walker);
-      node.translation = numbersOf(joint.parent ? joint.offset : clip.rootPositions[0]);
+      node.translation = numbersOf(joint.parent ? joint.offset : Vec3(clip.rootPositions[0] + lift()));
       node.rotation = numbersOf(rotationKey(clip.rotations[j]));
       if (joint.parent)
         model_.nodes[static_cast<std::size_t>(nodeOf(joint.parent->value, added))].children.push_back(index);
@@ -159,7 +161,7 @@ class GlbWriter {
     const std::size_t added = firstNodes_.size() - 1;
     const int times = addGlbAccessor(model_, bytesOf(keyTimes(clip)), kTimes);
     addChannel(animation, nodeOf(0, added), "translation",
-               {times, addGlbAccessor(model_, bytesOf(rootKeys(clip)), kTranslations)});
+               {times, addGlbAccessor(model_, bytesOf(rootKeys(clip, body_.liftMetres)), kTranslations)});
     for (std::size_t j = 0; j < skeleton_.size(); ++j) {
       if (placeOf_[j] < 0) continue;
       addChannel(animation, nodeOf(j, added), "rotation",

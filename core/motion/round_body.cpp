@@ -169,7 +169,7 @@ RoundBody roundBody(const Skeleton& skeleton, const Clip& frames) {
   const std::optional<Trunk> trunk = trunkOf(body);
   const double scale = trunk ? (trunk->shoulders.y() - body.floorMetres) / kReferenceShoulderMetres
                              : body.heightMetres / kReferenceHeightMetres;
-  RoundBody round{{}, body.standing};
+  RoundBody round{{}, body.liftMetres, body.standing};
   if (trunk) addTrunk(body, *trunk, scale, round.parts);
   addHead(body, trunk, scale, round.parts);
   addHeels(body, scale, round.parts);
@@ -187,7 +187,7 @@ std::vector<Capsule> placeParts(const RoundBody& body, const Skeleton& skeleton,
   capsules.reserve(body.parts.size());
   const auto at = [&](const PartEnd& end) -> Vec3 {
     const JointPlacement& joint = placed[end.joint.value];
-    return joint.position + joint.rotation * end.offset;
+    return joint.position + joint.rotation * end.offset + body.liftMetres * Vec3::UnitY();
   };
   for (const BodyPart& part : body.parts)
     capsules.push_back({at(part.from), at(part.to), part.from.radius, part.to.radius});

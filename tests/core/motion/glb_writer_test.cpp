@@ -56,9 +56,16 @@ struct Glb {
   std::vector<std::uint8_t> numbers;
 };
 
-/// A body that moves as the clip does.
+/// A body that moves as the clip does, over a floor that is left where it is.
+RoundBody bodyOf(const Skeleton& skeleton, const Clip& clip) {
+  RoundBody body = roundBody(skeleton, clip);
+  body.standing.rootPosition.y() -= body.liftMetres;
+  body.liftMetres = 0.0;
+  return body;
+}
+
 std::vector<std::uint8_t> written(const Skeleton& skeleton, const Clip& clip) {
-  return writeGlb(skeleton, roundBody(skeleton, clip), clip);
+  return writeGlb(skeleton, bodyOf(skeleton, clip), clip);
 }
 
 /// World positions of the nodes at a frame, from the file's animation alone.
@@ -130,7 +137,7 @@ TEST(WriteGlb, spacesFramesInSecondsAndStatesTheirLimits) {
 TEST(WriteGlb, skinsTheBodySoThatItMovesAsItsParts) {
   const Skeleton skeleton = twoArms();
   const Clip clip = waving(skeleton, 20, 3);
-  const RoundBody body = roundBody(skeleton, clip);
+  const RoundBody body = bodyOf(skeleton, clip);
   const Glb glb(writeGlb(skeleton, body, clip));
   const Json& skin = glb.json["skins"][0];
   ASSERT_EQ(skin["joints"].size(), 6U);
@@ -170,7 +177,7 @@ TEST(WriteGlb, givesEachOfSeveralWalkersNodesASkinAndTracksOfItsOwn) {
   const Clip first = waving(skeleton, 20, 3);
   const Clip second = waving(skeleton, 9, 4);
   const std::array<WalkerClip, 2> clips = {{{&first, 0}, {&second, 1}}};
-  const Glb glb(writeGlb(skeleton, roundBody(skeleton, first), clips));
+  const Glb glb(writeGlb(skeleton, bodyOf(skeleton, first), clips));
   const Json& nodes = glb.json["nodes"];
   ASSERT_EQ(nodes.size(), 2U * 8U);
   EXPECT_EQ(nodes[0]["name"], "walker_1");
@@ -197,6 +204,15 @@ TEST(WriteGlb, givesEachOfSeveralWalkersNodesASkinAndTracksOfItsOwn) {
   const std::vector<Vec3> places = nodePositions(glb, 5);
   const std::vector<Vec3> joints = jointPositions(skeleton, second.pose(5));
   EXPECT_LT((places[11] - joints[3]).norm(), 1e-5);
+}
+
+TEST(WriteGlb, liftsAWalkWhoseFloorLiesElsewhere) {
+  const Skeleton skeleton = twoArms();
+  const Clip clip = waving(skeleton, 3, 3);
+  RoundBody body = bodyOf(skeleton, clip);
+  body.liftMetres = 0.25;
+  const std::vector<Vec3> lifted = nodePositions(Glb(writeGlb(skeleton, body, clip)), 1);
+  EXPECT_LT((lifted[0] - clip.rootPositions[1] - Vec3(0, 0.25, 0)).norm(), 1e-6);
 }
 
 /// All names of a kind of object.
@@ -242,7 +258,7 @@ TEST(WriteGlb, namesAWalkWithoutANameAndSafelyOneWithAny) {
 TEST(WriteGlb, standsWhereAClipHasNoFrames) {
   Clip clip;
   clip.jointCount = twoArms().size();
-  const RoundBody body = roundBody(twoArms(), waving(twoArms(), 2, 3));
+  const RoundBody body = bodyOf(twoArms(), waving(twoArms(), 2, 3));
   const Glb glb(writeGlb(twoArms(), body, clip));
   EXPECT_FLOAT_EQ(glb.json["nodes"][0]["translation"][1].get<float>(), 1.0F);
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/percentile.h"
 #include "motion/gait_library.h"
 #include "motion/gait_skeleton.h"
 #include "motion/kinematics.h"
@@ -97,6 +98,21 @@ TEST(RoundBody, touchesTheFloorWithEveryPlantedFoot) {
   }
   EXPECT_GT(planted, gaitFrames().frameCount() / 2);
   EXPECT_GT(static_cast<double>(touching), 0.99 * static_cast<double>(planted));
+}
+
+TEST(RoundBody, isLiftedToTheFloorWhereTheMotionHasAnother) {
+  const Skeleton skeleton = gaitSkeleton();
+  EXPECT_EQ(roundBody(skeleton, gaitFrames()).liftMetres, 0.0);
+  for (const double level : {-0.9, -0.08, 0.5}) {
+    Clip elsewhere = gaitFrames();
+    for (Vec3& root : elsewhere.rootPositions) root.y() += level;
+    const RoundBody body = roundBody(skeleton, elsewhere);
+    EXPECT_NEAR(body.liftMetres, -level, 0.01);
+    std::vector<double> lowest;
+    for (std::size_t f = 0; f < elsewhere.frameCount(); f += 7)
+      lowest.push_back(lowestOf(placeParts(body, skeleton, elsewhere.pose(f))));
+    EXPECT_NEAR(percentile(lowest, 0.5), 0.0, 0.002);
+  }
 }
 
 TEST(RoundBody, isTheSameWhateverTheJointsAreCalled) {
