@@ -71,16 +71,17 @@ bool arrived(const Plan& plan) {
 
 Result<void> writeWalks(const std::string& path, const MotionLibrary& library, const Plan& plan) {
   const std::vector<const Plan*> all = allOf(plan);
-  std::vector<const Clip*> together;
+  std::vector<WalkerClip> together;
   for (std::size_t walker = 0; walker < all.size(); ++walker) {
     if (!arrived(*all[walker])) continue;
-    together.push_back(&all[walker]->walk);
+    together.push_back({&all[walker]->walk, walker});
     if (holdsAllWalks(path)) continue;
     const std::string text = writeBvh(library.skeleton, library.layout, all[walker]->walk);
     if (Result<void> written = writeFile(walkPathOf(path, walker), text); !written) return written;
   }
   if (!holdsAllWalks(path) || together.empty()) return {};
-  return writeFile(path, writeGlb(library.skeleton, together));
+  const RoundBody body = roundBody(library.skeleton, library.frames);
+  return writeFile(path, writeGlb(library.skeleton, body, together));
 }
 
 Result<void> writeFiles(const PlanArguments& arguments, const MotionLibrary& library, const Plan& plan) {

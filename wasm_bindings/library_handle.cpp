@@ -107,7 +107,7 @@ val LibraryHandle::info() const {
 }
 
 val LibraryHandle::skeleton() const {
-  return skeletonValue(library().skeleton, library().layout);
+  return skeletonValue(library());
 }
 
 val LibraryHandle::toBytes() const {

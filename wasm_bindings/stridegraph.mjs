@@ -12,10 +12,10 @@ class Walk {
   #skeleton
   #motion
 
-  constructor(module, skeleton, plan) {
+  constructor(module, skeleton, plan, walker = 0) {
     this.#module = module
     this.#skeleton = skeleton
-    this.#motion = { fps: plan.fps, rootPositions: plan.rootPositions, rotations: plan.rotations }
+    this.#motion = { walker, fps: plan.fps, rootPositions: plan.rootPositions, rotations: plan.rotations }
     this.status = plan.status
     this.report = JSON.parse(plan.report)
     this.fps = plan.fps
@@ -29,7 +29,7 @@ class Walk {
     this.path = plan.path
     this.subgoals = plan.subgoals
     this.roadmap = plan.roadmap
-    this.others = plan.others.map((other) => new Walk(module, skeleton, other))
+    this.others = plan.others.map((other, i) => new Walk(module, skeleton, other, i + 1))
   }
 
   toBvh() {

@@ -8,6 +8,7 @@
 #include "motion/bvh_writer.h"
 #include "motion/glb_writer.h"
 #include "motion/kinematics.h"
+#include "motion/round_body.h"
 
 namespace stridegraph::bindings {
 namespace {
@@ -80,10 +81,53 @@ Joint jointFrom(const val& value) {
   return joint;
 }
 
+/// Calls take(number) for every number of a body's part; what it returns takes the number's place.
+template <typename Take>
+void visitNumbers(BodyPart& part, const Take& take) {
+  for (PartEnd* const end : {&part.from, &part.to}) {
+    end->joint = JointIndex(static_cast<std::size_t>(take(static_cast<double>(end->joint.value))));
+    for (double& coordinate : end->offset) coordinate = take(coordinate);
+    end->radius = take(end->radius);
+  }
+}
+constexpr std::size_t kNumbersOfPart = 10;
+
+val bodyValue(const RoundBody& body) {
+  std::vector<double> standing(body.standing.rootPosition.begin(), body.standing.rootPosition.end());
+  for (const Quat& q : body.standing.rotations) standing.insert(standing.end(), {q.w(), q.x(), q.y(), q.z()});
+  std::vector<double> parts;
+  for (BodyPart part : body.parts) {
+    visitNumbers(part, [&](double number) {
+      parts.push_back(number);
+      return number;
+    });
+  }
+  val value = val::object();
+  value.set("standing", copyOut<double>(standing));
+  value.set("parts", copyOut<double>(parts));
+  value.set("lift", body.liftMetres);
+  return value;
+}
+
+RoundBody readBody(const val& value) {
+  RoundBody body;
+  const auto standing = emscripten::convertJSArrayToNumberVector<double>(value["standing"]);
+  const auto parts = emscripten::convertJSArrayToNumberVector<double>(value["parts"]);
+  body.liftMetres = value["lift"].as<double>();
+  body.standing.rootPosition = {standing[0], standing[1], standing[2]};
+  for (std::size_t i = 3; i + 3 < standing.size(); i += 4)
+    body.standing.rotations.emplace_back(standing[i], standing[i + 1], standing[i + 2], standing[i + 3]);
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < parts.size() / kNumbersOfPart; ++i)
+    visitNumbers(body.parts.emplace_back(), [&](double) { return parts[next++]; });
+  return body;
+}
+
 /// What skeletonValue made, back in core's own types.
 struct ExportedSkeleton {
   Skeleton skeleton;
   BvhLayout layout;
+  RoundBody body;
 };
 
 ExportedSkeleton readSkeleton(const val& value) {
@@ -101,6 +145,7 @@ ExportedSkeleton readSkeleton(const val& value) {
   exported.layout.endSiteNames = emscripten::vecFromJSArray<std::string>(value["endSiteNames"]);
   exported.layout.unitsPerMetre = value["unitsPerMetre"].as<double>();
   exported.layout.up = static_cast<UpAxis>(value["up"].as<int>());
+  exported.body = readBody(value["body"]);
   return exported;
 }
 
@@ -120,7 +165,9 @@ Clip readClip(const val& value, std::size_t jointCount) {
 
 }  // namespace
 
-val skeletonValue(const Skeleton& skeleton, const BvhLayout& layout) {
+val skeletonValue(const MotionLibrary& library) {
+  const Skeleton& skeleton = library.skeleton;
+  const BvhLayout& layout = library.layout;
   val joints = val::array();
   for (const Joint& joint : skeleton.joints) joints.call<void>("push", jointValue(joint));
   val channels = val::array();
@@ -138,6 +185,7 @@ val skeletonValue(const Skeleton& skeleton, const BvhLayout& layout) {
   value.set("endSiteNames", endSiteNames);
   value.set("unitsPerMetre", layout.unitsPerMetre);
   value.set("up", static_cast<int>(layout.up));
+  value.set("body", bodyValue(roundBody(skeleton, library.frames)));
   return value;
 }
 
@@ -170,11 +218,13 @@ val walkToBvh(const val& skeleton, const val& walk) {
 val walksToGlb(const val& skeleton, const val& walks) {
   const ExportedSkeleton exported = readSkeleton(skeleton);
   std::vector<Clip> clips;
-  for (const val& walk : emscripten::vecFromJSArray<val>(walks))
+  std::vector<WalkerClip> all;
+  for (const val& walk : emscripten::vecFromJSArray<val>(walks)) {
     clips.push_back(readClip(walk, exported.skeleton.size()));
-  std::vector<const Clip*> all;
-  for (const Clip& clip : clips) all.push_back(&clip);
-  const std::vector<std::uint8_t> bytes = writeGlb(exported.skeleton, all);
+    all.push_back({nullptr, static_cast<std::size_t>(walk["walker"].as<double>())});
+  }
+  for (std::size_t i = 0; i < all.size(); ++i) all[i].clip = &clips[i];
+  const std::vector<std::uint8_t> bytes = writeGlb(exported.skeleton, exported.body, all);
   return succeed(copyOut<std::uint8_t>(bytes));
 }
 

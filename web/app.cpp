@@ -99,7 +99,7 @@ Result<void> App::openLibrary(std::span<const std::uint8_t> bytes) {
   state_.replanning.better.reset();
   state_.library = std::make_shared<const MotionLibrary>(std::move(*library));
   state_.planner = std::make_unique<const WalkPlanner>(state_.library);
-  bones_ = bonesFor(state_.library->skeleton, state_.library->frames.pose(0));
+  body_ = roundBody(state_.library->skeleton, state_.library->frames);
   state_.plan.reset();
   wantPlan(state_);
   stayAwake(kAwakeSeconds);
@@ -252,7 +252,7 @@ std::vector<ShownBody> App::shownBodies() const {
                          state_.plan->frameKinds[frame] == EdgeKind::kTransition;
     const Colour& own = walker == 0 ? palette.body : walkerColour(palette, walker);
     bodies.push_back(
-        {placeBones(bones_, state_.library->skeleton, pose->view()), blended ? palette.blendedBody : own});
+        {placeParts(body_, state_.library->skeleton, pose->view()), blended ? palette.blendedBody : own});
   }
   return bodies;
 }

@@ -54,6 +54,8 @@ class App {
   bool frame(const FrameRequest& request);
 
   const AppState& state() const { return state_; }
+  /// What the library's skeleton wears.
+  const RoundBody& body() const { return body_; }
   /// Where a place of the room is on screen, in points; empty behind the eye.
   std::optional<Vec2> shownAt(const Vec3& place) const;
 
@@ -77,7 +79,7 @@ class App {
   ViewInput viewInput_;
   std::vector<unsigned char> fontFile_;
   FrameRequest shown_;
-  std::vector<Bone> bones_;
+  RoundBody body_;
   std::vector<Footprint> footprints_;
   unsigned footprintsOfPlan_ = 0;
   std::string shownStatus_;

@@ -185,10 +185,10 @@ EMSCRIPTEN_KEEPALIVE const std::uint8_t* sgWalkBvh(std::size_t walker) {
 EMSCRIPTEN_KEEPALIVE const std::uint8_t* sgWalksGlb() {
   const AppState& state = page().app->state();
   page().bytes.clear();
-  std::vector<const Clip*> walks;
+  std::vector<WalkerClip> walks;
   for (std::size_t walker = 0; const Plan* const plan = state.planOf(walker); ++walker)
-    if (plan->walk.frameCount() > 0) walks.push_back(&plan->walk);
-  if (!walks.empty()) page().bytes = writeGlb(state.library->skeleton, walks);
+    if (plan->walk.frameCount() > 0) walks.push_back({&plan->walk, walker});
+  if (!walks.empty()) page().bytes = writeGlb(state.library->skeleton, page().app->body(), walks);
   return page().bytes.data();
 }
 /// Size of the file asked for last.

@@ -4,17 +4,37 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
 #include "base/check.h"
 #include "motion/bvh_conventions.h"
 #include "motion/bvh_euler_track.h"
+#include "motion/export_names.h"
 
 namespace stridegraph {
 namespace {
 
 constexpr std::size_t kDeepestIndent = 64;
+constexpr int kAngleDecimals = 5;
+constexpr int kLeastLengthDecimals = 6, kMostLengthDecimals = 15;
+/// Readers need not take larger numbers.
+constexpr double kLargestNumber = 1e9;
+
+/// Decimals of lengths in file units that tell micrometres apart.
+int lengthDecimals(double unitsPerMetre) {
+  const double needed = std::ceil(kLeastLengthDecimals - std::log10(unitsPerMetre));
+  return static_cast<int>(std::clamp<double>(needed, kLeastLengthDecimals, kMostLengthDecimals));
+}
+
+/// A name that stands on a line of its own and opens or closes nothing.
+std::string bvhName(std::string_view name, std::string_view fallback) {
+  std::string safe = exportName(name, fallback);
+  for (char& c : safe)
+    if (c == '{' || c == '}') c = '_';
+  return safe;
+}
 
 bool isPosition(BvhChannel channel) {
   return channel <= BvhChannel::kZPosition;
@@ -36,7 +56,10 @@ BvhChannel rotationChannel(Axis axis) {
 class BvhWriter {
  public:
   BvhWriter(const Skeleton& skeleton, const BvhLayout& layout, const Clip& clip)
-      : skeleton_(skeleton), layout_(layout), clip_(clip) {}
+      : skeleton_(skeleton),
+        layout_(layout),
+        clip_(clip),
+        lengthDecimals_(lengthDecimals(layout.unitsPerMetre)) {}
 
   std::string write() {
     for (std::size_t j = 0; j < skeleton_.size(); ++j) columns_.push_back(columnsOf(j));
@@ -51,6 +74,17 @@ class BvhWriter {
   template <typename... Args>
   void append(fmt::format_string<Args...> format, Args&&... args) {
     fmt::format_to(std::back_inserter(text_), format, std::forward<Args>(args)...);
+  }
+
+  /// A fixed number of decimals, never "-0.0".
+  void appendNumber(double value, int decimals) {
+    const double number = std::isnan(value) ? 0.0 : std::clamp(value, -kLargestNumber, kLargestNumber);
+    const std::size_t begin = text_.size();
+    append("{:.{}f}", number, decimals);
+    const std::string_view written(text_.data() + begin, text_.size() - begin);
+    if (!written.starts_with('-') || written.find_first_not_of("-0.") != std::string_view::npos) return;
+    text_.resize(begin);
+    append("{:.{}f}", 0.0, decimals);
   }
 
   JointColumns columnsOf(std::size_t j) const {
@@ -112,13 +146,19 @@ class BvhWriter {
     const Joint& joint = skeleton_.joints[j];
     const std::string margin = indent(depth);
     if (joint.isEndSite) {
-      const std::string& name = layout_.endSiteNames[j];
+      const std::string name = bvhName(layout_.endSiteNames[j], "");
       append("{}End Site{}{}\n{}{{\n", margin, name.empty() ? "" : " ", name, margin);
     } else {
-      append("{}{} {}\n{}{{\n", margin, joint.parent ? "JOINT" : "ROOT", joint.name, margin);
+      append("{}{} {}\n{}{{\n", margin, joint.parent ? "JOINT" : "ROOT", bvhName(joint.name, "joint"),
+             margin);
     }
     const Vec3 offset = fileFromCore(layout_.up, joint.offset) * layout_.unitsPerMetre;
-    append("{}\tOFFSET {:.6f} {:.6f} {:.6f}\n", margin, offset.x(), offset.y(), offset.z());
+    append("{}\tOFFSET", margin);
+    for (const double coordinate : offset) {
+      text_.push_back(' ');
+      appendNumber(coordinate, lengthDecimals_);
+    }
+    text_.push_back('\n');
     if (joint.isEndSite) return;
     append("{}\tCHANNELS {}", margin, columns_[j].channels.size());
     for (const BvhChannel channel : columns_[j].channels) {
@@ -138,9 +178,9 @@ class BvhWriter {
         if (!isFirst) text_.push_back(' ');
         isFirst = false;
         if (isPosition(channel)) {
-          append("{:.6f}", position[static_cast<Eigen::Index>(channel)]);
+          appendNumber(position[static_cast<Eigen::Index>(channel)], lengthDecimals_);
         } else {
-          append("{:.5f}", columns_[j].track.degrees[f][angle++]);
+          appendNumber(columns_[j].track.degrees[f][angle++], kAngleDecimals);
         }
       }
     }
@@ -153,6 +193,7 @@ class BvhWriter {
   const Skeleton& skeleton_;
   const BvhLayout& layout_;
   const Clip& clip_;
+  int lengthDecimals_;
   std::vector<JointColumns> columns_;
   fmt::memory_buffer text_;
 };

@@ -1,10 +1,12 @@
 #include "walk/planning.h"
+#include "motion/resample.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
 
+#include "motion/resample.h"
 #include "path/polyline.h"
 #include "walk/onward.h"
 #include "walk/plan_measures.h"
@@ -227,6 +229,8 @@ class Planning::Stages {
     moveRoots(made.placements, plan.way, made.clip);
     if (options_.footCleanup) cleanFeet(made, report);
     if (turn_) fadeFrom(task_.underWay->walk, task_.frame, made.clip);
+    // Seams join clips whose quaternions may differ by the sign, and headings are known up to whole turns.
+    makeSignsContinuous(made.clip);
     measurePlan({library_, prepared_.tables.graph, prepared_.sources, task_.floor, scene_, task_.goal,
                  options_, plan.motion, made.clip, task_.traffic},
                 report);
