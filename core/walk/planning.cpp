@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "path/polyline.h"
+#include "walk/near_goal.h"
 #include "walk/onward.h"
 #include "walk/plan_measures.h"
 #include "walk/synthesis.h"
@@ -15,6 +16,9 @@ namespace {
 
 /// How far the search may leave the walk turned from the heading asked for at the goal.
 constexpr Angle kGoalTurn = Angle::degrees(10.0);
+
+/// Where a goal nearer than this cannot be walked to, that it is so near may be the reason.
+constexpr double kNoteMetres = 2.0;
 
 /// Milliseconds between two calls, by the clock handed in; 0 without one.
 class Stopwatch {
@@ -90,6 +94,11 @@ class Planning::Stages {
   }
 
   void findFirst() {
+    if (task_.refusal) {
+      plan_.report.status = task_.refusal->status;
+      plan_.report.explanation = task_.refusal->explanation;
+      return;
+    }
     if (task_.underWay != nullptr) {
       turn_ = turnOff(prepared_.tables.graph, *task_.underWay, task_.frame);
       if (!turn_) {
@@ -118,8 +127,12 @@ class Planning::Stages {
   Plan plan() const {
     Plan plan = plan_;
     PlanReport& report = plan.report;
-    if (search_) tellOf(search_->best(), plan);
-    if (report.status == PlanStatus::kArrived) makeWalk(search_->best().path, plan);
+    if (steps_) {
+      makeSteps(plan);
+    } else {
+      if (search_) tellOf(search_->best(), plan);
+      if (report.status == PlanStatus::kArrived) makeWalk(search_->best().path, plan);
+    }
     update(report);
     return plan;
   }
@@ -150,20 +163,49 @@ class Planning::Stages {
   std::string takenBy() const {
     const double near = Traffic::kMarginMetres - options_.goalRadiusMetres;
     if (!task_.traffic.staysClearOfBodies(task_.goal.position, Traffic::kInTheEnd, near))
-      return "another walker stays at the goal";
+      return fmt::format("{} stays at the goal",
+                         task_.traffic.nearestName(task_.goal.position, Traffic::kInTheEnd));
     const double metres = (task_.goal.position - start_.position).norm() - options_.goalRadiusMetres;
     const double frames = std::max(metres, 0.0) / prepared_.tables.graph.fastestMetresPerFrame();
     const std::uint32_t begun = turn_ ? turn_->onward.frame : 0;
     if (!task_.traffic.isNeverFree(task_.goal.position, near, begun + static_cast<std::uint32_t>(frames)))
       return {};
-    return "something that moves is at the goal whenever the walk could end there";
+    return fmt::format(
+        "{} is at the goal whenever the walk could end there",
+        task_.traffic.nearestName(task_.goal.position, begun + static_cast<std::uint32_t>(frames)));
+  }
+
+  /// Small steps, where the goal is near and the body begins and ends standing.
+  std::optional<StepsToGoal> smallSteps() const {
+    if (options_.search != SearchKind::kGuided || !options_.standing || turn_ || !prepared_.standing)
+      return std::nullopt;
+    std::optional<StepsToGoal> steps =
+        stepsToGoal(library_, *prepared_.standing, task_.start, task_.goal,
+                    [this](std::span<const FloorTransform> way) { return isFree(way); });
+    if (!steps) return std::nullopt;
+    const std::optional<double>& latest = scene_.constraints.latestArrivalSeconds;
+    const double seconds =
+        static_cast<double>(steps->walk.placements.size() - 1) / library_.frames.framesPerSecond;
+    if (latest && seconds > *latest) return std::nullopt;
+    return steps;
+  }
+
+  /// Whether a walk's way from its first frame on touches nothing, and nobody comes to where it ends.
+  bool isFree(std::span<const FloorTransform> way) const {
+    const auto end = static_cast<std::uint32_t>(way.size() - 1);
+    return std::all_of(way.begin(), way.end(),
+                       [this](const FloorTransform& at) { return task_.floor.isFree(at.translation); }) &&
+           task_.traffic.isFree(way, 0) && task_.traffic.staysClearOfBodies(way.back().translation, end);
   }
 
   void findMotion() {
     searching_.emplace(options_.clock);
     if (options_.search == SearchKind::kGuided) plan_.report.explanation = takenBy();
     if (plan_.report.explanation.empty()) {
-      search_ = searchMotion(options_.search, query());
+      steps_ = smallSteps();
+      // Who stands there already need not look for a walk.
+      if (!steps_ || !steps_->plan.steps.empty()) search_ = searchMotion(options_.search, query());
+      if (search_ && search_->best().status == SearchStatus::kArrived) steps_.reset();
     } else {
       plan_.report.status = PlanStatus::kGoalBlocked;
     }
@@ -181,6 +223,7 @@ class Planning::Stages {
     query.accepts = [this](const MotionPath& end, std::uint32_t first) {
       return bent(placementsAlong(library_, end), first).has_value();
     };
+    if (steps_) query.costBound = steps_->costMetres;
     query.improvementExpansions = options_.improvementExpansions;
     query.enoughRatio = options_.enoughRatio;
     query.outOfTime = [this] {
@@ -201,9 +244,26 @@ class Planning::Stages {
   void tellOf(const MotionResult& found, Plan& plan) const {
     plan.report.status = statusOf(found.status);
     plan.report.explanation = found.explanation;
+    if (found.status == SearchStatus::kNoMotion) plan.report.explanation += nearNote();
     if (found.way.empty()) return;
     plan.path = found.way;
     plan.subgoals = subgoals(plan.path, options_.subgoalSpacingMetres);
+  }
+
+  /// What keeps a walk from so near a goal, said behind another sentence.
+  std::string nearNote() const {
+    const double metres = (task_.goal.position - start_.position).norm();
+    const SearchTables& tables = prepared_.tables;
+    if (turn_ || !options_.standing || metres > kNoteMetres) return {};
+    if (!tables.graph.canStartStanding() || !tables.graph.canEndStanding())
+      return fmt::format(
+          "; no clip both starts from a stand and comes to one, and the goal is only {:.2f} m away", metres);
+    const std::optional<double> shortest = shortestWalkMetres(tables);
+    if (!shortest || *shortest <= metres) return {};
+    return fmt::format(
+        "; the shortest walk of these clips from standing to standing is {:.2f} m, and the goal is {:.2f} m "
+        "away",
+        *shortest, metres);
   }
 
   /// The way bent to end at the goal, where that keeps it off everything; it begins at this frame.
@@ -234,6 +294,36 @@ class Planning::Stages {
     plan.frameKinds = std::move(made.frameKinds);
     plan.contacts = std::move(made.contacts);
     report.synthesisMilliseconds = watch.elapsed();
+  }
+
+  void makeSteps(Plan& plan) const {
+    const Stopwatch watch(options_.clock);
+    PlanReport& report = plan.report;
+    const FrameIndex stand = prepared_.standing->frame;
+    SynthesisedWalk made = steps_->walk;
+    plan.motion = {steps_->plan.start, {WalkStep{clipPiece(stand, stand)}}};
+    plan.way = made.placements;
+    report.status = PlanStatus::kArrived;
+    report.smallSteps = steps_->plan.steps.size();
+    report.contacts = report.smallSteps + 2;
+    measurePlan({library_, prepared_.tables.graph, prepared_.sources, task_.floor, scene_, task_.goal,
+                 options_, plan.motion, made.clip, task_.traffic},
+                report);
+    addStepNote(report);
+    plan.walk = std::move(made.clip);
+    plan.frameKinds = std::move(made.frameKinds);
+    plan.contacts = std::move(made.contacts);
+    report.synthesisMilliseconds = watch.elapsed();
+  }
+
+  /// Says that steps are made up.
+  static void addStepNote(PlanReport& report) {
+    const std::string note =
+        report.smallSteps == 0
+            ? "the start is at the goal: the body stands there"
+            : fmt::format("no clip leads there so directly: {} small steps are taken from a standing pose",
+                          report.smallSteps);
+    report.explanation = report.explanation.empty() ? note : fmt::format("{}; {}", note, report.explanation);
   }
 
   /// Bends what is still to be gone of the way.
@@ -268,6 +358,7 @@ class Planning::Stages {
   Plan plan_;                                   ///< But for what the search finds.
   std::optional<Stopwatch> searching_;          ///< Since the search was last carried on.
   std::unique_ptr<MotionSearch> search_;        ///< Where there is a path.
+  std::optional<StepsToGoal> steps_;            ///< To a near goal, where the search knows none better.
 };
 
 Planning::Planning(const Prepared& prepared, const Scene& scene, const PlanOptions& options,

@@ -9,6 +9,7 @@ namespace stridegraph {
 void SearchTrouble::add(const SearchTrouble& other) {
   begun = begun || other.begun;
   blocked = other.blocked;
+  blockedFrame = other.blockedFrame;
   if (other.metresLeft < metresLeft) {
     metresLeft = other.metresLeft;
     nearest = other.nearest;
@@ -34,13 +35,16 @@ std::string nearestThing(const FloorPlan& plan, const Vec2& point) {
 }
 
 std::string nearestReached(const SearchTrouble& trouble, const FloorPlan& plan) {
+  if (!trouble.hasReached()) return "no way from the start comes to a place where it could go on";
   return fmt::format("the nearest to the goal came to ({:.1f}, {:.1f}), {:.1f} m before it, beside {}",
                      trouble.nearest.x(), trouble.nearest.y(), trouble.metresLeft,
                      nearestThing(plan, trouble.nearest));
 }
 
-std::string explainNoMotion(const SearchTrouble& trouble, const FloorPlan& plan, const Vec2& start) {
-  if (!trouble.begun && trouble.tooLate > 0)
+std::string explainNoMotion(const SearchTrouble& trouble, const FloorPlan& plan,
+                            const SearchBeginning& beginning) {
+  const bool knowsSoonest = std::isfinite(trouble.soonestSeconds);
+  if (!trouble.begun && trouble.tooLate > 0 && knowsSoonest)
     return fmt::format(
         "the goal is too far to be there in the time asked for: the fastest walk that these clips can make "
         "would take about {:.1f} s",
@@ -49,10 +53,11 @@ std::string explainNoMotion(const SearchTrouble& trouble, const FloorPlan& plan,
     const bool still = !plan.isFree(trouble.blocked);
     return fmt::format(
         "every first step from the start at ({:.1f}, {:.1f}) touches {}: give it more room, or turn it",
-        start.x(), start.y(), still ? nearestThing(plan, trouble.blocked) : "something that moves");
+        beginning.start.x(), beginning.start.y(),
+        still ? nearestThing(plan, trouble.blocked) : beginning.mover);
   }
   std::string text = "no walk that these clips can make leads through: " + nearestReached(trouble, plan);
-  if (trouble.tooLate > 0)
+  if (trouble.tooLate > 0 && knowsSoonest)
     text +=
         fmt::format("; other ways would have come too late, after {:.1f} s or more", trouble.soonestSeconds);
   if (trouble.atTraffic > 0) text += "; others met something that moves";
