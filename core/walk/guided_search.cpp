@@ -52,7 +52,8 @@ constexpr GuidedStage kAmongMovers = {.heuristicWeight = 1.18,
                                       .maxExpansions = 8'000,
                                       .expansionsPerMover = 400.0};
 /// Where another walk has to be bettered: what costs so little is found soon.
-constexpr std::uint64_t kBetteringExpansions = 3'000;
+constexpr std::uint64_t kBetteringExpansions = 500;
+constexpr double kBetteringPerMetre = 4'000.0;
 /// When a stage has run through all states.
 constexpr GuidedStage kFiner = {
     .heuristicWeight = 1.2, .cellMetres = 0.1, .headingCells = 48, .maxExpansions = 150'000};
@@ -166,7 +167,7 @@ class GuidedSearch::Stages {
     if (hasToBetter()) {
       GuidedStage stage = task_.meetsOthers() ? kAmongMovers : kUsual;
       stage.maxExpansions = kBetteringExpansions;
-      stage.expansionsPerMetre = 0.0;
+      stage.expansionsPerMetre = kBetteringPerMetre;
       return tryStage(stage);
     }
     MotionResult result = tryStage(task_.meetsOthers() ? kAmongMovers : kUsual);

@@ -1,5 +1,7 @@
 #include "walk/near_goal.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "walk/walk_cost.h"
@@ -10,7 +12,16 @@ namespace {
 
 /// What a small step counts for beside the way: a captured walk is worth a detour of so much for each step
 /// that need not be made up.
-constexpr double kStepMetres = 0.2;
+constexpr double kStepMetres = 0.45;
+
+/// How direct a walk has to be: so many times the straight way, and so much more, metres; and for each radian
+/// of turning, which bends a way round a curve of about so many metres.
+constexpr double kDirectRatio = 1.3;
+constexpr double kDirectMetres = 0.3;
+constexpr double kMetresPerRadian = 0.35;
+
+/// Where a goal nearer than this cannot be walked to, that it is so near may be the reason.
+constexpr double kNoteMetres = 2.0;
 
 /// Who moves by less than this has not taken a step.
 constexpr double kLeastStepMetres = 0.2;
@@ -40,6 +51,11 @@ std::optional<StepsToGoal> stepsToGoal(const MotionLibrary& library, const Stand
   return StepsToGoal{std::move(*plan), std::move(walk), cost};
 }
 
+bool isDirect(const StepsToGoal& steps, double walkMetres) {
+  const double metres = (steps.plan.goal.translation - steps.plan.start.translation).norm();
+  return walkMetres <= kDirectRatio * metres + kDirectMetres + kMetresPerRadian * steps.plan.turnRadians;
+}
+
 std::optional<double> shortestWalkMetres(const SearchTables& tables) {
   const SearchGraph& graph = tables.graph;
   std::optional<double> least;
@@ -62,6 +78,19 @@ std::optional<double> shortestWalkMetres(const SearchTables& tables) {
     arrivalsOf(start.edge.to, start.edge.end, start.edge.lengthMetres);
   }
   return least;
+}
+
+std::string nearGoalNote(const SearchTables& tables, double metres) {
+  if (metres > kNoteMetres) return {};
+  if (!tables.graph.canStartStanding() || !tables.graph.canEndStanding())
+    return fmt::format(
+        "; no clip both starts from a stand and comes to one, and the goal is only {:.2f} m away", metres);
+  const std::optional<double> shortest = shortestWalkMetres(tables);
+  if (!shortest || *shortest <= metres) return {};
+  return fmt::format(
+      "; the shortest walk of these clips from standing to standing is {:.2f} m, and the goal is {:.2f} m "
+      "away",
+      *shortest, metres);
 }
 
 }  // namespace stridegraph

@@ -17,8 +17,9 @@ namespace {
 /// How far the search may leave the walk turned from the heading asked for at the goal.
 constexpr Angle kGoalTurn = Angle::degrees(10.0);
 
-/// Where a goal nearer than this cannot be walked to, that it is so near may be the reason.
-constexpr double kNoteMetres = 2.0;
+/// A walk to a near goal that drives a joint harder than this, as a share of what the clips show, is worse
+/// than small steps.
+constexpr double kSoundRatio = 1.8;
 
 /// Milliseconds between two calls, by the clock handed in; 0 without one.
 class Stopwatch {
@@ -190,6 +191,18 @@ class Planning::Stages {
     return steps;
   }
 
+  /// Whether the walk that a search found leads to a near goal as directly as people go, and drives no joint
+  /// so hard that small steps look better.
+  bool isAsGoodAsSteps(const MotionResult& found) const {
+    if (found.status != SearchStatus::kArrived) return false;
+    if (!steps_) return true;
+    Plan trial;
+    trial.report = plan_.report;
+    makeWalk(found.path, trial);
+    return isDirect(*steps_, trial.report.motionLengthMetres) &&
+           std::max(trial.report.jointSpeed.ratio, trial.report.jointAcceleration.ratio) <= kSoundRatio;
+  }
+
   /// Whether a walk's way from its first frame on touches nothing, and nobody comes to where it ends.
   bool isFree(std::span<const FloorTransform> way) const {
     const auto end = static_cast<std::uint32_t>(way.size() - 1);
@@ -205,7 +218,7 @@ class Planning::Stages {
       steps_ = smallSteps();
       // Who stands there already need not look for a walk.
       if (!steps_ || !steps_->plan.steps.empty()) search_ = searchMotion(options_.search, query());
-      if (search_ && search_->best().status == SearchStatus::kArrived) steps_.reset();
+      if (search_ && isAsGoodAsSteps(search_->best())) steps_.reset();
     } else {
       plan_.report.status = PlanStatus::kGoalBlocked;
     }
@@ -244,26 +257,12 @@ class Planning::Stages {
   void tellOf(const MotionResult& found, Plan& plan) const {
     plan.report.status = statusOf(found.status);
     plan.report.explanation = found.explanation;
-    if (found.status == SearchStatus::kNoMotion) plan.report.explanation += nearNote();
+    if (found.status == SearchStatus::kNoMotion && !turn_ && options_.standing)
+      plan.report.explanation +=
+          nearGoalNote(prepared_.tables, (task_.goal.position - start_.position).norm());
     if (found.way.empty()) return;
     plan.path = found.way;
     plan.subgoals = subgoals(plan.path, options_.subgoalSpacingMetres);
-  }
-
-  /// What keeps a walk from so near a goal, said behind another sentence.
-  std::string nearNote() const {
-    const double metres = (task_.goal.position - start_.position).norm();
-    const SearchTables& tables = prepared_.tables;
-    if (turn_ || !options_.standing || metres > kNoteMetres) return {};
-    if (!tables.graph.canStartStanding() || !tables.graph.canEndStanding())
-      return fmt::format(
-          "; no clip both starts from a stand and comes to one, and the goal is only {:.2f} m away", metres);
-    const std::optional<double> shortest = shortestWalkMetres(tables);
-    if (!shortest || *shortest <= metres) return {};
-    return fmt::format(
-        "; the shortest walk of these clips from standing to standing is {:.2f} m, and the goal is {:.2f} m "
-        "away",
-        *shortest, metres);
   }
 
   /// The way bent to end at the goal, where that keeps it off everything; it begins at this frame.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "graph/jerks.h"
 #include "motion/leg_ik.h"
 #include "walk/standing.h"
 
@@ -65,8 +66,13 @@ StandingFoot standingFoot(const MotionLibrary& library, FrameIndex frame, const 
 void extend(const MotionLibrary& library, const std::vector<Standing>& standing,
             const std::array<WalkFoot, 2>& feet, StandingBody& body) {
   const LibraryClip& clip = library.clipOf(body.frame);
+  const std::vector<Jerk> jerks = findJerks(library);
   const auto stands = [&](std::uint32_t f) {
-    return standing[f] != Standing::kNo && std::isfinite(unrest(library, FrameIndex(std::size_t{f}), feet));
+    const bool jerked = std::any_of(jerks.begin(), jerks.end(), [f](const Jerk& jerk) {
+      return jerk.frame.value <= f && f <= jerk.frame.value + 1;
+    });
+    return !jerked && standing[f] != Standing::kNo &&
+           std::isfinite(unrest(library, FrameIndex(std::size_t{f}), feet));
   };
   body.firstFrame = body.lastFrame = static_cast<std::uint32_t>(body.frame.value);
   while (body.firstFrame > clip.firstFrame && stands(body.firstFrame - 1)) --body.firstFrame;

@@ -40,7 +40,7 @@ class Stepping {
   /// Steps along the stretches that begin with a foot.
   std::optional<StepPlan> along(const FloorTransform& start, const std::vector<Stretch>& stretches,
                                 std::size_t firstFoot) {
-    StepPlan plan{start, start, {}, 0.0};
+    StepPlan plan{start, start, {}};
     std::array<FloorTransform, 2> stands = {start, start};
     std::size_t foot = firstFoot;
     for (const Stretch& stretch : stretches) {
@@ -54,6 +54,7 @@ class Stepping {
         stands[foot] = plan.goal;
         foot = 1 - foot;
       }
+      plan.turnRadians += std::abs(stretch.turnRadians);
       plan.effort += effortOf(stretch, plan.goal.heading);
     }
     // The other foot comes up.
@@ -148,7 +149,7 @@ std::optional<StepPlan> planSteps(const Placement& start, const Placement& goal,
   for (const Facings& facings : facingsOf(start, goal, stays ? Heading{} : ahead)) {
     const double turn = turnBetween(facings.start, facings.goal);
     if (stays && std::abs(turn) < kThereTurn.radians()) {
-      return StepPlan{{start.position, facings.start}, {start.position, facings.start}, {}, 0.0};
+      return StepPlan{{start.position, facings.start}, {start.position, facings.start}, {}};
     }
     consider(facings, {{way, turn}});
     if (stays) continue;

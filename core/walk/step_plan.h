@@ -40,6 +40,7 @@ struct StepPlan {
   /// What the steps are like for who takes them, as a number of plain steps: those to the side or backwards
   /// count for more.
   double effort = 0.0;
+  double turnRadians = 0.0;  ///< All turns of the body together, to either side.
 };
 
 /// Where the feet of a standing body are, relative to its placement on the floor: which one is on the left

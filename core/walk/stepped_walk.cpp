@@ -22,6 +22,8 @@ constexpr double kHeelUntil = 0.8;
 constexpr double kHeelMetres = 0.7;
 /// Of a foot that goes so far ahead, the upper body moves as in the captured walk.
 constexpr double kWholeSwingMetres = 1.1;
+/// A stand of fewer frames is shown as its one frame.
+constexpr double kLeastSpan = 10.0;
 /// In which the hips are lowered for a leg that would not reach, and raised again.
 constexpr double kLoweringSeconds = 0.15;
 
@@ -84,7 +86,9 @@ class SteppedWalk {
       step.fall = &fall;
       step.begin = now;
       const double metres = (placeOf(fall.foot, fall.to) - placeOf(fall.foot, fall.from)).norm();
-      step.frames = fps_ * (params_.stepSeconds + params_.perMetreSeconds * metres);
+      const double turn = std::abs((fall.to.heading - fall.from.heading).angle().radians());
+      step.frames =
+          fps_ * (params_.stepSeconds + params_.perMetreSeconds * metres + params_.perRadianSeconds * turn);
       const double rest = 0.5 * (1.0 - params_.swingShare) * step.frames;
       step.lift = step.begin + rest;
       step.land = step.begin + step.frames - rest;
@@ -240,22 +244,46 @@ class SteppedWalk {
     return Quat(Eigen::AngleAxisd(rises * radians, level));
   }
 
-  /// The library's frame that the upper body shows: it goes to and fro through the stand.
-  std::size_t standingFrame(std::size_t frame) const {
-    const std::size_t span = body_.lastFrame - body_.firstFrame;
-    if (span == 0) return body_.firstFrame;
-    const std::size_t at = (frame + body_.frame.value - body_.firstFrame) % (2 * span);
-    return body_.firstFrame + (at <= span ? at : 2 * span - at);
+  /// Where in the library the body stands: it goes to and fro through the stand, never faster than captured.
+  double standingFrame(std::size_t frame) const {
+    const double span = body_.lastFrame - body_.firstFrame;
+    if (span < kLeastSpan) return static_cast<double>(body_.frame.value);
+    const double phase = 2.0 * static_cast<double>(frame) / span;
+    return body_.firstFrame + 0.5 * span * (1.0 - std::cos(phase));
   }
 
   /// The root over a placement, as the library's frame has it.
   Pose poseAt(std::size_t frame) const {
-    const FrameIndex captured(standingFrame(frame));
-    const PoseView view = library_.frames.pose(captured.value);
-    const FloorTransform roomFromLibrary = walk_.placements[frame] * library_.placementAt(captured).inverse();
+    const double at = standingFrame(frame);
+    const auto first = static_cast<std::size_t>(at);
+    Pose pose = capturedPose(first, walk_.placements[frame]);
+    const double share = at - static_cast<double>(first);
+    if (share <= 0.0) return pose;
+    const Pose next = capturedPose(first + 1, walk_.placements[frame]);
+    pose.rootPosition += share * (next.rootPosition - pose.rootPosition);
+    for (std::size_t j = 0; j < pose.rotations.size(); ++j)
+      pose.rotations[j] = pose.rotations[j].slerp(share, next.rotations[j]);
+    return pose;
+  }
+
+  /// A captured pose moved to a placement.
+  Pose capturedPose(std::size_t captured, const FloorTransform& placement) const {
+    const PoseView view = library_.frames.pose(captured);
+    const FloorTransform roomFromLibrary = placement * library_.placementAt(FrameIndex(captured)).inverse();
     Pose pose{roomFromLibrary.apply(view.rootPosition), {view.rotations.begin(), view.rotations.end()}};
     pose.rotations[0] = (roomFromLibrary.heading.rotation() * pose.rotations[0]).normalized();
     return pose;
+  }
+
+  /// Turns a leg from the hip as far as its foot is turned from where the body faces, so that the knee goes
+  /// with the foot.
+  void turnLeg(const StandingFoot& foot, const FootPose& at, const Heading& facing, Pose& pose) const {
+    const JointIndex hip = foot.foot.leg.hip;
+    const std::optional<JointIndex>& parent = library_.skeleton.joints[hip.value].parent;
+    const Quat above = placeJoint(library_.skeleton, pose.view(), *parent).rotation;
+    const Quat turn = (at.base.heading - facing).rotation();
+    Quat& rotation = pose.rotations[hip.value];
+    rotation = (above.conjugate() * turn * above * rotation).normalized();
   }
 
   /// How far the hips must come down so that both legs reach.
@@ -287,6 +315,7 @@ class SteppedWalk {
       const StandingFoot& foot = body_.feet[i];
       const FootPose at = footAt(i, static_cast<double>(frame));
       const AnkleTarget target = targetOf(foot, at);
+      turnLeg(foot, at, walk_.placements[frame].heading, pose);
       solveLeg(library_.skeleton, foot.foot.leg, target,
                std::min(1.0, foot.reachMetres / foot.foot.legMetres), pose.rootPosition, pose.rotations);
       if (foot.toes) {

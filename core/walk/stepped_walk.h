@@ -8,13 +8,14 @@ namespace stridegraph {
 
 /// How steps look. Times in seconds.
 struct SteppedWalkParams {
-  double stepSeconds = 0.52;     ///< Of a step on the spot,
-  double perMetreSeconds = 0.3;  ///< and for each metre that the foot goes.
-  double swingShare = 0.74;      ///< Of a step, how much of it one foot is in the air.
-  double restSeconds = 0.3;      ///< Standing before the first and after the last step.
-  double liftMetres = 0.045;     ///< Of the ball of the foot, on the spot,
-  double liftPerMetre = 0.035;   ///< and for each metre that the foot goes.
-  double swayMetres = 0.022;     ///< Of the hips over the foot that stands; 0 keeps to the straight line.
+  double stepSeconds = 0.52;       ///< Of a step on the spot,
+  double perMetreSeconds = 0.3;    ///< for each metre that the foot goes,
+  double perRadianSeconds = 0.15;  ///< and for each radian that it turns.
+  double swingShare = 0.74;        ///< Of a step, how much of it one foot is in the air.
+  double restSeconds = 0.3;        ///< Standing before the first and after the last step.
+  double liftMetres = 0.045;       ///< Of the ball of the foot, on the spot,
+  double liftPerMetre = 0.035;     ///< and for each metre that the foot goes.
+  double swayMetres = 0.022;       ///< Of the hips over the foot that stands; 0 keeps to the straight line.
   Angle heelRise = Angle::degrees(26.0);  ///< Largest, in a long step ahead.
 };
 
