@@ -15,7 +15,7 @@ namespace {
 constexpr double kStepMetres = 0.45;
 
 /// How direct a walk has to be: so many times the straight way, and so much more, metres; and for each radian
-/// of turning, which bends a way round a curve of about so many metres.
+/// of turning on a way of a metre or more, which goes round a curve of about so many metres.
 constexpr double kDirectRatio = 1.3;
 constexpr double kDirectMetres = 0.3;
 constexpr double kMetresPerRadian = 0.35;
@@ -53,7 +53,9 @@ std::optional<StepsToGoal> stepsToGoal(const MotionLibrary& library, const Stand
 
 bool isDirect(const StepsToGoal& steps, double walkMetres) {
   const double metres = (steps.plan.goal.translation - steps.plan.start.translation).norm();
-  return walkMetres <= kDirectRatio * metres + kDirectMetres + kMetresPerRadian * steps.plan.turnRadians;
+  // A curve takes the place of turning on the spot only where the way is long enough for one.
+  const double curve = kMetresPerRadian * std::min(1.0, metres) * steps.plan.turnRadians;
+  return walkMetres <= kDirectRatio * metres + kDirectMetres + curve;
 }
 
 std::optional<double> shortestWalkMetres(const SearchTables& tables) {
