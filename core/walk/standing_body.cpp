@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "graph/jerks.h"
+#include "math/rotation.h"
 #include "motion/leg_ik.h"
 #include "walk/standing.h"
 
@@ -13,6 +13,9 @@ namespace {
 
 /// A leg may be stretched so far, or as far as it is where the body stands.
 constexpr double kUsualReach = 0.985;
+
+/// Who stands turns no joint faster than this, in a second.
+constexpr Angle kCalmPerSecond = Angle::degrees(150.0);
 
 /// Feet that stand are at least so far apart from side to side, as a share of the leg.
 constexpr double kLeastApart = 0.08;
@@ -62,21 +65,29 @@ StandingFoot standingFoot(const MotionLibrary& library, FrameIndex frame, const 
   return standing;
 }
 
+/// Whether no joint turns faster between a frame and the next than who stands moves: a slip of capture does.
+bool isCalm(const Clip& frames, std::uint32_t frame) {
+  const std::span<const Quat> before = frames.rotationsOf(frame);
+  const std::span<const Quat> after = frames.rotationsOf(frame + 1);
+  const double most = kCalmPerSecond.radians() / frames.framesPerSecond;
+  for (std::size_t j = 0; j < before.size(); ++j)
+    if (angleBetween(before[j], after[j]).radians() > most) return false;
+  return true;
+}
+
 /// The frames around one through which the body stands on both feet.
 void extend(const MotionLibrary& library, const std::vector<Standing>& standing,
             const std::array<WalkFoot, 2>& feet, StandingBody& body) {
   const LibraryClip& clip = library.clipOf(body.frame);
-  const std::vector<Jerk> jerks = findJerks(library);
   const auto stands = [&](std::uint32_t f) {
-    const bool jerked = std::any_of(jerks.begin(), jerks.end(), [f](const Jerk& jerk) {
-      return jerk.frame.value <= f && f <= jerk.frame.value + 1;
-    });
-    return !jerked && standing[f] != Standing::kNo &&
-           std::isfinite(unrest(library, FrameIndex(std::size_t{f}), feet));
+    return standing[f] != Standing::kNo && std::isfinite(unrest(library, FrameIndex(std::size_t{f}), feet));
   };
   body.firstFrame = body.lastFrame = static_cast<std::uint32_t>(body.frame.value);
-  while (body.firstFrame > clip.firstFrame && stands(body.firstFrame - 1)) --body.firstFrame;
-  while (body.lastFrame + 1 < clip.firstFrame + clip.frameCount && stands(body.lastFrame + 1))
+  while (body.firstFrame > clip.firstFrame && stands(body.firstFrame - 1) &&
+         isCalm(library.frames, body.firstFrame - 1))
+    --body.firstFrame;
+  while (body.lastFrame + 1 < clip.firstFrame + clip.frameCount && stands(body.lastFrame + 1) &&
+         isCalm(library.frames, body.lastFrame))
     ++body.lastFrame;
 }
 
