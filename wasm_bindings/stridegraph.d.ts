@@ -239,17 +239,7 @@ export interface Warning {
 }
 
 export type WarningTopic =
-  | 'other'
-  | 'text'
-  | 'rows'
-  | 'time'
-  | 'travel'
-  | 'skeleton'
-  | 'unit'
-  | 'up_axis'
-  | 'motion'
-  | 'graph'
-  | 'scene'
+  'other' | 'text' | 'rows' | 'time' | 'travel' | 'skeleton' | 'unit' | 'up_axis' | 'motion' | 'graph' | 'scene'
 
 /** What building found, kept and dropped, and why. */
 export interface BuildReport {

@@ -173,7 +173,7 @@ void Crowd::meet(std::size_t other, bool planned, Traffic& traffic) const {
   const std::string name = fmt::format("walker {}", other + 1);
   if (planned && hasArrived(plans_[other])) {
     traffic.addBody(placesOf(plans_[other]), Traffic::kForEver, name);
-  } else if (planned) {
+  } else if (planned || (refusals_[other] && underWay(other) == nullptr)) {
     traffic.addBody(start, Traffic::kForEver, name);
   } else if (const Plan* walk = underWay(other)) {
     traffic.addBody(placesOf(*walk), static_cast<std::uint32_t>(frame_) + kUnplannedFrames, name);

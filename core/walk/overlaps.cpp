@@ -56,18 +56,28 @@ void refuseInObstacles(const Overlaps& overlaps, const std::vector<Beginner>& wa
   }
 }
 
+/// Whether a walker begins, and its walk ends, nearer to a place than this.
+bool staysNear(const Beginner& walker, const Vec2& place, double metres) {
+  return walker.begins && (walker.walker.start.position - place).norm() < metres &&
+         (walker.walker.goal.position - place).norm() < metres;
+}
+
 void refuseGoals(const Overlaps& overlaps, const std::vector<Beginner>& walkers, Refusals& refusals) {
   const double needed = 2.0 * overlaps.radiusMetres + Traffic::kMarginMetres;
+  const double least = needed - overlaps.goalRadiusMetres;
   for (std::size_t b = 0; b < walkers.size(); ++b) {
     for (std::size_t a = 0; a < b; ++a) {
-      const double apart = (walkers[a].walker.goal.position - walkers[b].walker.goal.position).norm();
+      const Vec2& goal = walkers[a].walker.goal.position;
+      const double apart = (goal - walkers[b].walker.goal.position).norm();
       // Who is refused does not come to its goal.
-      if (refusals[a] || apart >= needed - overlaps.goalRadiusMetres) continue;
+      if (refusals[a] || apart >= least) continue;
+      // Who is there from the beginning stays.
+      const bool laterStays = !refusals[b] && staysNear(walkers[b], goal, least);
       refuse(
-          refusals[b], PlanStatus::kGoalBlocked,
+          refusals[laterStays ? a : b], PlanStatus::kGoalBlocked,
           fmt::format("the goals of walkers {} and {} are {:.2f} m apart, and bodies of radius {:.2f} m need "
                       "{:.2f} m: walker {} stays there",
-                      a + 1, b + 1, apart, overlaps.radiusMetres, needed, a + 1));
+                      a + 1, b + 1, apart, overlaps.radiusMetres, needed, (laterStays ? b : a) + 1));
     }
   }
 }

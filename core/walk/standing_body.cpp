@@ -15,7 +15,7 @@ namespace {
 constexpr double kUsualReach = 0.985;
 
 /// Who stands turns no joint faster than this, in a second.
-constexpr Angle kCalmPerSecond = Angle::degrees(150.0);
+constexpr Angle kCalmPerSecond = Angle::degrees(50.0);
 
 /// Feet that stand are at least so far apart from side to side, as a share of the leg.
 constexpr double kLeastApart = 0.08;

@@ -133,9 +133,10 @@ TEST(Crowd, saysThatAnotherWalkerStaysAtTheGoal) {
   const Plan plan = planned(scene);
   EXPECT_EQ(plan.report.status, PlanStatus::kArrived);
   EXPECT_EQ(plan.others[0].report.status, PlanStatus::kGoalBlocked);
-  EXPECT_EQ(plan.others[0].report.explanation,
-            "the goals of walkers 1 and 2 are 0.00 m apart, and bodies of radius 0.40 m need 0.83 m: walker 1 "
-            "stays there");
+  EXPECT_EQ(
+      plan.others[0].report.explanation,
+      "the goals of walkers 1 and 2 are 0.00 m apart, and bodies of radius 0.40 m need 0.83 m: walker 1 "
+      "stays there");
 }
 
 TEST(Crowd, crossesASquareWithoutAnyoneTouchingAnother) {

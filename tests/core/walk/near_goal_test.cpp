@@ -141,6 +141,31 @@ TEST(NearGoal, cannotBeReplannedOnceTheWalkIsUnderWay) {
   EXPECT_NE(again->report.explanation, "");
 }
 
+TEST(NearGoal, saysThatAWalkerWhoCannotGoStaysAtTheGoalOfAnother) {
+  Scene scene;
+  scene.start = {{2, 2}, {}};
+  scene.goal = {{9, 9}, {}};
+  // Walkers 2 and 3 start within each other, and walker 2 where the first one is to go.
+  scene.walkers = {{{{9, 8.7}, {}}, {{2, 9}, {}}}, {{{9, 8.2}, {}}, {{9, 2}, {}}}};
+  const Plan plan = planned(scene);
+  EXPECT_EQ(plan.others[0].report.status, PlanStatus::kStartBlocked);
+  EXPECT_EQ(plan.others[1].report.status, PlanStatus::kStartBlocked);
+  EXPECT_EQ(plan.report.status, PlanStatus::kGoalBlocked);
+  EXPECT_EQ(plan.report.explanation, "walker 2 stays at the goal");
+}
+
+TEST(NearGoal, turnsOnTheSpotWhereOnlyTheHeadingDiffers) {
+  for (const double degrees : {20.0, 90.0, -150.0, 180.0}) {
+    Scene scene;
+    scene.start = {{6, 6}, Angle::degrees(0)};
+    scene.goal = {{6, 6}, Angle::degrees(degrees)};
+    const Plan plan = planned(scene);
+    ASSERT_EQ(plan.report.status, PlanStatus::kArrived) << plan.report.explanation;
+    EXPECT_LT(plan.report.arrivalHeadingError->degrees(), 3.0);
+    EXPECT_LT(plan.report.motionLengthMetres, 0.5);
+  }
+}
+
 TEST(NearGoal, saysThatAMovingBlockIsAtTheStart) {
   Scene scene = caseOf("goal_80_cm_ahead.json");
   scene.moving = {{{1, 1}, TrackRepeat::kOnce, {{0.0, {3.4, 3.0}}, {2.0, {0.5, 0.5}}}}};
@@ -175,16 +200,16 @@ TEST(SearchTrouble, tellsNothingOfPlacesWhereNoneWasReached) {
   trouble.begun = true;
   trouble.tooLate = 1;
   const std::string text = explainNoMotion(trouble, floor, {});
-  EXPECT_EQ(text,
-            "no walk that these clips can make leads through: no way from the start comes to a place where it "
-            "could go on; more clips, tighter turns or a mirrored library would help");
+  EXPECT_EQ(
+      text,
+      "no walk that these clips can make leads through: no way from the start comes to a place where it "
+      "could go on; more clips, tighter turns or a mirrored library would help");
 }
 
 TEST(ShortestWalk, isThatOfTheClipsFromAStandToAStand) {
   const MotionLibrary stops = testing::threeArcsAndAStop();
   EXPECT_FALSE(shortestWalkMetres(SearchTables(stops)).has_value()) << "it cannot begin standing";
-  const std::optional<double> metres =
-      shortestWalkMetres(SearchTables(testing::gaitPlanner().library()));
+  const std::optional<double> metres = shortestWalkMetres(SearchTables(testing::gaitPlanner().library()));
   ASSERT_TRUE(metres.has_value());
   EXPECT_GT(*metres, 0.2);
   EXPECT_LT(*metres, 2.0);

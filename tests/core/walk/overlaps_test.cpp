@@ -32,7 +32,8 @@ TEST(Overlaps, doesNotAskWhereWalkersUnderWayOnceStarted) {
 }
 
 TEST(Overlaps, letsTheFirstOfThoseWithOneGoalGo) {
-  const auto refusals = refusalsOf({}, {from({1, 1}, {9, 1}), from({1, 3}, {9, 1.4}), from({1, 5}, {9, 1.8})});
+  const auto refusals =
+      refusalsOf({}, {from({1, 1}, {9, 1}), from({1, 3}, {9, 1.4}), from({1, 5}, {9, 1.8})});
   EXPECT_FALSE(refusals[0]);
   ASSERT_TRUE(refusals[1]);
   EXPECT_EQ(refusals[1]->status, PlanStatus::kGoalBlocked);
@@ -43,10 +44,19 @@ TEST(Overlaps, letsTheFirstOfThoseWithOneGoalGo) {
 }
 
 TEST(Overlaps, takesNoNoticeOfTheGoalOfWhoDoesNotGo) {
-  const auto refusals =
-      refusalsOf({}, {from({1, 1}, {9, 1}), from({1.2, 1}, {9, 9}), from({1, 5}, {9, 1})});
+  const auto refusals = refusalsOf({}, {from({1, 1}, {9, 1}), from({1.2, 1}, {9, 9}), from({1, 5}, {9, 1})});
   EXPECT_TRUE(refusals[0] && refusals[1]);
   EXPECT_FALSE(refusals[2]);
+}
+
+TEST(Overlaps, refusesWhoseGoalIsWhereAnotherStays) {
+  const auto refusals = refusalsOf({}, {from({1, 1}, {9, 1}), from({9, 1.3}, {9, 1.2})});
+  ASSERT_TRUE(refusals[0]);
+  EXPECT_FALSE(refusals[1]);
+  EXPECT_EQ(refusals[0]->status, PlanStatus::kGoalBlocked);
+  EXPECT_EQ(refusals[0]->explanation,
+            "the goals of walkers 1 and 2 are 0.20 m apart, and bodies of radius 0.40 m need 0.83 m: "
+            "walker 2 stays there");
 }
 
 TEST(Overlaps, namesTheMovingBlockAtAStart) {

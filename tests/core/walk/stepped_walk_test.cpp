@@ -63,8 +63,9 @@ TEST(SteppedWalk, beginsAndEndsStandingWhereItIsAskedTo) {
     EXPECT_LT((walk.placements.back().translation - goal.position).norm(), 1e-9);
     EXPECT_LT((onFloor(walk.clip.rootPositions.back()) - goal.position).norm(), 1e-9);
     if (goal.heading) {
-      EXPECT_LT(std::abs((walk.placements.back().heading - Heading::fromAngle(*goal.heading)).angle().degrees()),
-                0.01);
+      EXPECT_LT(
+          std::abs((walk.placements.back().heading - Heading::fromAngle(*goal.heading)).angle().degrees()),
+          0.01);
     }
     for (const std::size_t end : {std::size_t{0}, walk.clip.frameCount() - 5}) {
       EXPECT_LT((walk.clip.rootPositions[end + 4] - walk.clip.rootPositions[end]).norm(), 0.01);
@@ -109,8 +110,9 @@ TEST(SteppedWalk, movesWithoutJolts) {
       const auto& root = walk.clip.rootPositions;
       EXPECT_LT((root[f] - 2.0 * root[f - 1] + root[f - 2]).norm() * fps * fps, 6.0) << f;
       for (std::size_t j = 1; j < walk.clip.jointCount; ++j) {
-        EXPECT_LT(angleBetween(walk.clip.pose(f).rotations[j], walk.clip.pose(f - 1).rotations[j]).degrees() * fps,
-                  500.0)
+        EXPECT_LT(
+            angleBetween(walk.clip.pose(f).rotations[j], walk.clip.pose(f - 1).rotations[j]).degrees() * fps,
+            500.0)
             << j << " at " << f;
       }
     }
