@@ -119,6 +119,8 @@ export interface PlanReport {
   frames: number
   expansions: number
   transitions: number
+  /** Steps taken from a standing pose to a near goal that no clip leads to as directly; missing where none are. */
+  small_steps?: number
   /** Library frames at both ends of every edge played. */
   edges: [number, number][]
   /** Smallest distance of the disc's rim to anything along the walk. */

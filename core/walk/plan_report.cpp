@@ -57,6 +57,7 @@ nlohmann::ordered_json objectOf(const PlanReport& report) {
   json["frames"] = report.frames;
   json["expansions"] = report.expansions;
   json["transitions"] = report.transitions;
+  if (report.smallSteps > 0) json["small_steps"] = report.smallSteps;
   nlohmann::ordered_json edges = nlohmann::ordered_json::array();
   for (const auto& [from, to] : report.edges) edges.push_back({from.value, to.value});
   json["edges"] = std::move(edges);
