@@ -59,14 +59,24 @@ std::vector<Vec2> roadmapEnds(const Plan& plan) {
   return ends;
 }
 
+val vectorValue(const Vec3& vector) {
+  val value = val::array();
+  for (const double coordinate : vector) value.call<void>("push", coordinate);
+  return value;
+}
+
+Vec3 vectorFrom(const val& value) {
+  Vec3 vector;
+  for (int axis = 0; axis < 3; ++axis) vector[axis] = value[axis].as<double>();
+  return vector;
+}
+
 val jointValue(const Joint& joint) {
   val value = val::object();
   value.set("name", joint.name);
   value.set("parent", joint.parent ? static_cast<double>(joint.parent->value) : -1.0);
   value.set("isEndSite", joint.isEndSite);
-  val offset = val::array();
-  for (const double coordinate : joint.offset) offset.call<void>("push", coordinate);
-  value.set("offset", offset);
+  value.set("offset", vectorValue(joint.offset));
   return value;
 }
 
@@ -76,8 +86,57 @@ Joint jointFrom(const val& value) {
   const double parent = value["parent"].as<double>();
   if (parent >= 0) joint.parent = JointIndex(static_cast<std::size_t>(parent));
   joint.isEndSite = value["isEndSite"].as<bool>();
-  for (int axis = 0; axis < 3; ++axis) joint.offset[axis] = value["offset"][axis].as<double>();
+  joint.offset = vectorFrom(value["offset"]);
   return joint;
+}
+
+val channelsValue(const std::vector<BvhChannel>& channels) {
+  val list = val::array();
+  for (const BvhChannel channel : channels) list.call<void>("push", static_cast<int>(channel));
+  return list;
+}
+
+std::vector<BvhChannel> channelsFrom(const val& value) {
+  std::vector<BvhChannel> channels;
+  for (const int channel : emscripten::vecFromJSArray<int>(value))
+    channels.push_back(static_cast<BvhChannel>(channel));
+  return channels;
+}
+
+val stillPartValue(const BvhStillPart& still) {
+  val joints = val::array();
+  for (const BvhStillJoint& entry : still.joints) {
+    val value = jointValue(entry.joint);
+    const Quat& q = entry.rotation;
+    val rotation = val::array();
+    for (const double part : {q.w(), q.x(), q.y(), q.z()}) rotation.call<void>("push", part);
+    value.set("rotation", rotation);
+    value.set("channels", channelsValue(entry.channels));
+    value.set("endSiteName", entry.endSiteName);
+    joints.call<void>("push", value);
+  }
+  val value = val::object();
+  value.set("joints", joints);
+  value.set("before", static_cast<double>(still.before));
+  value.set("holder", static_cast<double>(still.holder));
+  value.set("rootOffset", vectorValue(still.rootOffset));
+  return value;
+}
+
+BvhStillPart stillPartFrom(const val& value) {
+  BvhStillPart still;
+  for (const val& entry : emscripten::vecFromJSArray<val>(value["joints"])) {
+    const val rotation = entry["rotation"];
+    const auto part = [&](int i) { return rotation[i].as<double>(); };
+    still.joints.push_back({jointFrom(entry),
+                            {part(0), part(1), part(2), part(3)},
+                            channelsFrom(entry["channels"]),
+                            entry["endSiteName"].as<std::string>()});
+  }
+  still.before = static_cast<std::size_t>(value["before"].as<double>());
+  still.holder = static_cast<std::size_t>(value["holder"].as<double>());
+  still.rootOffset = vectorFrom(value["rootOffset"]);
+  return still;
 }
 
 /// What skeletonValue made, back in core's own types.
@@ -92,15 +151,12 @@ ExportedSkeleton readSkeleton(const val& value) {
   const auto channels = emscripten::vecFromJSArray<val>(value["channels"]);
   for (std::size_t i = 0; i < joints.size(); ++i) {
     exported.skeleton.joints.push_back(jointFrom(joints[i]));
-    std::vector<BvhChannel> channelsOfJoint;
-    for (const int channel : emscripten::vecFromJSArray<int>(channels[i])) {
-      channelsOfJoint.push_back(static_cast<BvhChannel>(channel));
-    }
-    exported.layout.channels.push_back(std::move(channelsOfJoint));
+    exported.layout.channels.push_back(channelsFrom(channels[i]));
   }
   exported.layout.endSiteNames = emscripten::vecFromJSArray<std::string>(value["endSiteNames"]);
   exported.layout.unitsPerMetre = value["unitsPerMetre"].as<double>();
   exported.layout.up = static_cast<UpAxis>(value["up"].as<int>());
+  exported.layout.still = stillPartFrom(value["still"]);
   return exported;
 }
 
@@ -124,11 +180,8 @@ val skeletonValue(const Skeleton& skeleton, const BvhLayout& layout) {
   val joints = val::array();
   for (const Joint& joint : skeleton.joints) joints.call<void>("push", jointValue(joint));
   val channels = val::array();
-  for (const auto& channelsOfJoint : layout.channels) {
-    val list = val::array();
-    for (const BvhChannel channel : channelsOfJoint) list.call<void>("push", static_cast<int>(channel));
-    channels.call<void>("push", list);
-  }
+  for (const auto& channelsOfJoint : layout.channels)
+    channels.call<void>("push", channelsValue(channelsOfJoint));
   val endSiteNames = val::array();
   for (const std::string& name : layout.endSiteNames) endSiteNames.call<void>("push", name);
 
@@ -138,6 +191,7 @@ val skeletonValue(const Skeleton& skeleton, const BvhLayout& layout) {
   value.set("endSiteNames", endSiteNames);
   value.set("unitsPerMetre", layout.unitsPerMetre);
   value.set("up", static_cast<int>(layout.up));
+  value.set("still", stillPartValue(layout.still));
   return value;
 }
 

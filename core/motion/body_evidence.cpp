@@ -116,6 +116,8 @@ class PoseSurvey {
   void report(BodyEvidence& evidence) const {
     for (std::size_t d = 0; d < kDirections; ++d)
       evidence.levelSpread[d] = percentile(levels_[d], 0.95) - percentile(levels_[d], 0.05);
+    evidence.hasHead = !named_.heads.empty();
+    evidence.hasFeet = !named_.feet.empty();
     if (!feetToHead_.empty()) evidence.feetToHead = medianOf(feetToHead_);
     if (named_.areKnown())
       evidence.feetToHeadAtRest = named_.feetToHead(jointPositions(skeleton_, restPoseOf(skeleton_).view()));

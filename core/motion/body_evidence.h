@@ -32,6 +32,8 @@ struct BodyEvidence {
   /// From feet to head, by the names of joints; medians. Absent where no joint has such a name.
   std::optional<Vec3> feetToHead;
   std::optional<Vec3> feetToHeadAtRest;
+  bool hasHead = false;  ///< A joint is called so.
+  bool hasFeet = false;
 };
 BodyEvidence gatherEvidence(const Skeleton& skeleton, const Clip& clip);
 

@@ -86,6 +86,10 @@ std::string faultInJoint(const BvhStillPart& still, std::size_t s) {
   if (!joint.offset.allFinite() || !entry.rotation.coeffs().allFinite() ||
       std::abs(entry.rotation.norm() - 1.0) > 1e-3)
     return fmt::format("still joint {} has no finite offset and rotation", joint.name);
+  std::vector<BvhChannel> channels = entry.channels;
+  std::sort(channels.begin(), channels.end());
+  if (std::adjacent_find(channels.begin(), channels.end()) != channels.end())
+    return fmt::format("still joint {} has a channel twice", joint.name);
   if (!joint.parent) return joint.isEndSite ? "a still root that is an end site" : std::string();
   if (joint.parent->value >= s) return fmt::format("still joint {} comes before its parent", joint.name);
   if (still.joints[joint.parent->value].joint.isEndSite)

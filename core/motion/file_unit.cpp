@@ -26,13 +26,13 @@ struct Unit {
 };
 constexpr std::array<Unit, 7> kUnits = {{{"metres", "m", 1.0, 0.2},
                                          {"CMU units of 5.6444 cm", "0.056444", 0.45 * kInchesPerMetre, 0.1},
-                                         {"inches", "in", kInchesPerMetre, 0.1},
+                                         {"inches", "in", kInchesPerMetre, 0.12},
                                          {"centimetres", "cm", kCentimetresPerMetre, 0.5},
                                          {"millimetres", "0.001", 1000.0, 0.06},
                                          {"decimetres", "0.1", 10.0, 0.015},
                                          {"feet", "0.3048", 1.0 / 0.3048, 0.01}}};
 /// Share of files in any other unit, over each factor of e that a height may be away from another.
-constexpr double kOtherUnits = 0.002;
+constexpr double kOtherUnits = 0.004;
 
 double normalDensity(double value, double mean, double deviation) {
   constexpr double kRootOfTwoPi = 2.5066282746310002;
@@ -41,12 +41,21 @@ double normalDensity(double value, double mean, double deviation) {
 }
 
 /// How many bodies are so tall between their lowest and highest joints, over the logarithm of the height:
-/// adults, and with them children, animals, giants and parts of bodies.
-double heightDensity(double metres) {
-  constexpr double kOthers = 0.15;
+/// adults or, where the names of joints tell of feet or of a head alone, as many times half of an adult; and
+/// children, animals and giants.
+double heightDensity(double metres, const BodyEvidence& evidence) {
+  constexpr double kOthers = 0.2;
+  constexpr double kAdultMetres = 1.58;
+  constexpr double kHipMetres = 0.87;
+  constexpr double kUpperBodyMetres = 0.75;
   const double height = std::log(metres);
-  return (1.0 - kOthers) * normalDensity(height, std::log(1.58), 0.1) +
-         kOthers * normalDensity(height, std::log(1.2), 0.5);
+  double usual = normalDensity(height, std::log(kAdultMetres), 0.1);
+  if (evidence.hasHead != evidence.hasFeet) {
+    const double half =
+        normalDensity(height, std::log(evidence.hasFeet ? kHipMetres : kUpperBodyMetres), 0.12);
+    usual = 0.5 * usual + 0.5 * half;
+  }
+  return (1.0 - kOthers) * usual + kOthers * normalDensity(height, std::log(1.4), 0.42);
 }
 
 double along(UpAxis up, const Vec3& extent) {
@@ -88,7 +97,7 @@ UnitGuess inferUnit(const BodyEvidence& evidence, UpAxis up, Warnings& warnings)
   std::array<double, kUnits.size()> weights;
   double sum = kOtherUnits;
   for (std::size_t u = 0; u < kUnits.size(); ++u)
-    sum += weights[u] = kUnits[u].prior * heightDensity(height / kUnits[u].perMetre);
+    sum += weights[u] = kUnits[u].prior * heightDensity(height / kUnits[u].perMetre, evidence);
   const auto best =
       static_cast<std::size_t>(std::max_element(weights.begin(), weights.end()) - weights.begin());
   const UnitGuess guess{kUnits[best].perMetre, weights[best] / sum};

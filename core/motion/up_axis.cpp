@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string>
 #include <string_view>
+#include <utility>
 
 #include "motion/bvh_reader.h"
 
@@ -16,7 +19,21 @@ constexpr std::size_t kPlusZ = 4;
 constexpr std::array<std::string_view, kDirections> kDirectionNames = {"x", "-x", "y", "-y", "z", "-z"};
 
 /// Log odds before anything is seen, against y up.
-constexpr std::array<double, kDirections> kPriors = {-4.0, -5.0, 0.0, -4.0, -1.0, -5.0};
+constexpr std::array<double, kDirections> kPriors = {-4.2, -4.7, 0.0, -4.2, -0.3, -4.7};
+/// How often a body does not stand: it lies, crawls or hangs, in all frames or at rest, where axes may be
+/// any.
+constexpr double kPosedOtherwise = 0.4;
+constexpr double kRestsOtherwise = 0.45;
+/// Weights of evidence, in log odds.
+constexpr double kStandingOut = 3.0;
+constexpr double kHeadAbove = 4.0;
+constexpr double kTravel = 5.0;
+constexpr double kLevel = 1.5;
+constexpr double kSlip = 6.0;
+/// From foot to head, as a share of the body's size.
+constexpr double kUsualFeetToHead = 0.6;
+
+using PerDirection = std::array<double, kDirections>;
 
 /// Falls from 0 at `from` to -1 at `to` and stays there.
 double fall(double value, double from, double to) {
@@ -34,33 +51,51 @@ double standingOut(const Vec3& extent, Eigen::Index axis) {
   return std::clamp(std::log((extent[axis] + least) / (other + least)), -1.0, 1.0);
 }
 
-double logOdds(const BodyEvidence& evidence, std::size_t direction) {
-  const auto axis = static_cast<Eigen::Index>(direction / 2);
-  const Vec3 up = directionVector(direction);
-  double odds = kPriors[direction];
-  odds += 2.5 * standingOut(evidence.extents.posed, axis);
-  odds += 1.0 * standingOut(evidence.extents.rest, axis);
-  if (evidence.size <= 0.0) return odds;
-  odds += 5.0 * fall(evidence.rootRange[axis] / evidence.size, 0.4, 1.2);
-  odds += 3.0 * fall(evidence.levelSpread[direction] / evidence.size, 0.05, 0.5);
-  if (evidence.slip) odds += 3.0 * fall((*evidence.slip)[direction], 0.2, 0.8);
-  if (evidence.feetToHead)
-    odds += 3.0 * std::clamp(evidence.feetToHead->dot(up) / (0.6 * evidence.size), -1.0, 1.0);
-  if (evidence.feetToHeadAtRest)
-    odds += 1.0 * std::clamp(evidence.feetToHeadAtRest->dot(up) / (0.6 * evidence.size), -1.0, 1.0);
+/// Log odds as likelihoods that add to 1.
+PerDirection normalised(PerDirection odds) {
+  const double greatest = *std::max_element(odds.begin(), odds.end());
+  double sum = 0.0;
+  for (double& value : odds) sum += value = std::exp(value - greatest);
+  for (double& value : odds) value /= sum;
+  return odds;
+}
+
+/// Log odds by the shape of a body that stands, unless, with a probability of `otherwise`, it does not.
+PerDirection shapeOdds(const BodyEvidence& evidence, const Vec3& extent,
+                       const std::optional<Vec3>& feetToHead, double otherwise) {
+  PerDirection odds = {};
+  for (std::size_t d = 0; d < kDirections; ++d) {
+    odds[d] = kStandingOut * standingOut(extent, static_cast<Eigen::Index>(d / 2));
+    if (!feetToHead || evidence.size <= 0.0) continue;
+    const double above = feetToHead->dot(directionVector(d)) / (kUsualFeetToHead * evidence.size);
+    odds[d] += kHeadAbove * std::clamp(above, -1.0, 1.0);
+  }
+  odds = normalised(odds);
+  for (double& value : odds)
+    value = std::log((1.0 - otherwise) * value + otherwise / static_cast<double>(kDirections));
+  return odds;
+}
+
+/// Log odds by how the body moves: it travels in the plane of the floor, on which its lowest joint stands.
+double motionOdds(const BodyEvidence& evidence, std::size_t direction) {
+  if (evidence.size <= 0.0) return 0.0;
+  const double travelled = evidence.rootRange[static_cast<Eigen::Index>(direction / 2)] / evidence.size;
+  double odds = kTravel * fall(travelled, 0.4, 1.2);
+  odds += kLevel * fall(evidence.levelSpread[direction] / evidence.size, 0.05, 0.5);
+  if (evidence.slip) odds += kSlip * fall((*evidence.slip)[direction], 0.2, 0.8);
   return odds;
 }
 
 }  // namespace
 
 std::array<double, kDirections> upLikelihoods(const BodyEvidence& evidence) {
-  std::array<double, kDirections> likelihoods;
-  for (std::size_t d = 0; d < kDirections; ++d) likelihoods[d] = logOdds(evidence, d);
-  const double greatest = *std::max_element(likelihoods.begin(), likelihoods.end());
-  double sum = 0.0;
-  for (double& likelihood : likelihoods) sum += likelihood = std::exp(likelihood - greatest);
-  for (double& likelihood : likelihoods) likelihood /= sum;
-  return likelihoods;
+  const PerDirection posed =
+      shapeOdds(evidence, evidence.extents.posed, evidence.feetToHead, kPosedOtherwise);
+  const PerDirection atRest =
+      shapeOdds(evidence, evidence.extents.rest, evidence.feetToHeadAtRest, kRestsOtherwise);
+  PerDirection odds = kPriors;
+  for (std::size_t d = 0; d < kDirections; ++d) odds[d] += posed[d] + atRest[d] + motionOdds(evidence, d);
+  return normalised(odds);
 }
 
 UpGuess inferUpAxis(const BodyEvidence& evidence, Warnings& warnings) {

@@ -8,10 +8,11 @@
 
 namespace stridegraph {
 
-/// How likely each direction is up (they add to 1), from all that a clip tells: along up a body reaches far,
-/// posed and at rest; its head lies above its feet; it hardly travels; its lowest joint keeps to one level
-/// and, while the body goes, mostly stands. A naive Bayes of logistic pieces; y up is the likelier before
-/// anything is seen, and directions other than +y and +z are rare.
+/// How likely each direction is up (they add to 1), from all that a clip tells: a body mostly stands, posed
+/// and at rest, so that it reaches far along up and has its head above its feet; it hardly travels along up;
+/// its lowest joint keeps to one level and, while the body goes, mostly stands. A naive Bayes; the shapes are
+/// mixtures with bodies that lie or crawl, so that shape alone never outweighs how the body moves. Directions
+/// other than +y and +z are rare. The weights were set on captured walks and jogs, turned and cut.
 std::array<double, kDirections> upLikelihoods(const BodyEvidence& evidence);
 
 /// Which way a file is up.
