@@ -59,6 +59,27 @@ std::vector<Vec2> roadmapEnds(const Plan& plan) {
   return ends;
 }
 
+val jointValue(const Joint& joint) {
+  val value = val::object();
+  value.set("name", joint.name);
+  value.set("parent", joint.parent ? static_cast<double>(joint.parent->value) : -1.0);
+  value.set("isEndSite", joint.isEndSite);
+  val offset = val::array();
+  for (const double coordinate : joint.offset) offset.call<void>("push", coordinate);
+  value.set("offset", offset);
+  return value;
+}
+
+Joint jointFrom(const val& value) {
+  Joint joint;
+  joint.name = value["name"].as<std::string>();
+  const double parent = value["parent"].as<double>();
+  if (parent >= 0) joint.parent = JointIndex(static_cast<std::size_t>(parent));
+  joint.isEndSite = value["isEndSite"].as<bool>();
+  for (int axis = 0; axis < 3; ++axis) joint.offset[axis] = value["offset"][axis].as<double>();
+  return joint;
+}
+
 val vectorValue(const Vec3& vector) {
   val value = val::array();
   for (const double coordinate : vector) value.call<void>("push", coordinate);
@@ -69,25 +90,6 @@ Vec3 vectorFrom(const val& value) {
   Vec3 vector;
   for (int axis = 0; axis < 3; ++axis) vector[axis] = value[axis].as<double>();
   return vector;
-}
-
-val jointValue(const Joint& joint) {
-  val value = val::object();
-  value.set("name", joint.name);
-  value.set("parent", joint.parent ? static_cast<double>(joint.parent->value) : -1.0);
-  value.set("isEndSite", joint.isEndSite);
-  value.set("offset", vectorValue(joint.offset));
-  return value;
-}
-
-Joint jointFrom(const val& value) {
-  Joint joint;
-  joint.name = value["name"].as<std::string>();
-  const double parent = value["parent"].as<double>();
-  if (parent >= 0) joint.parent = JointIndex(static_cast<std::size_t>(parent));
-  joint.isEndSite = value["isEndSite"].as<bool>();
-  joint.offset = vectorFrom(value["offset"]);
-  return joint;
 }
 
 val channelsValue(const std::vector<BvhChannel>& channels) {
@@ -151,7 +153,11 @@ ExportedSkeleton readSkeleton(const val& value) {
   const auto channels = emscripten::vecFromJSArray<val>(value["channels"]);
   for (std::size_t i = 0; i < joints.size(); ++i) {
     exported.skeleton.joints.push_back(jointFrom(joints[i]));
-    exported.layout.channels.push_back(channelsFrom(channels[i]));
+    std::vector<BvhChannel> channelsOfJoint;
+    for (const int channel : emscripten::vecFromJSArray<int>(channels[i])) {
+      channelsOfJoint.push_back(static_cast<BvhChannel>(channel));
+    }
+    exported.layout.channels.push_back(std::move(channelsOfJoint));
   }
   exported.layout.endSiteNames = emscripten::vecFromJSArray<std::string>(value["endSiteNames"]);
   exported.layout.unitsPerMetre = value["unitsPerMetre"].as<double>();
@@ -180,8 +186,11 @@ val skeletonValue(const Skeleton& skeleton, const BvhLayout& layout) {
   val joints = val::array();
   for (const Joint& joint : skeleton.joints) joints.call<void>("push", jointValue(joint));
   val channels = val::array();
-  for (const auto& channelsOfJoint : layout.channels)
-    channels.call<void>("push", channelsValue(channelsOfJoint));
+  for (const auto& channelsOfJoint : layout.channels) {
+    val list = val::array();
+    for (const BvhChannel channel : channelsOfJoint) list.call<void>("push", static_cast<int>(channel));
+    channels.call<void>("push", list);
+  }
   val endSiteNames = val::array();
   for (const std::string& name : layout.endSiteNames) endSiteNames.call<void>("push", name);
 

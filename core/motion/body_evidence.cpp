@@ -114,13 +114,15 @@ class PoseSurvey {
   }
 
   void report(BodyEvidence& evidence) const {
-    for (std::size_t d = 0; d < kDirections; ++d)
-      evidence.levelSpread[d] = percentile(levels_[d], 0.95) - percentile(levels_[d], 0.05);
     evidence.hasHead = !named_.heads.empty();
     evidence.hasFeet = !named_.feet.empty();
     if (!feetToHead_.empty()) evidence.feetToHead = medianOf(feetToHead_);
     if (named_.areKnown())
       evidence.feetToHeadAtRest = named_.feetToHead(jointPositions(skeleton_, restPoseOf(skeleton_).view()));
+    if (clip_.frameCount() < kFewestMovingFrames) return;
+    evidence.rootRange = extentOf(clip_.rootPositions);
+    for (std::size_t d = 0; d < kDirections; ++d)
+      evidence.levelSpread[d] = percentile(levels_[d], 0.95) - percentile(levels_[d], 0.05);
     if (rootSteps_.size() < kFewestMovingFrames) return;
     evidence.slip.emplace();
     for (std::size_t d = 0; d < kDirections; ++d)
@@ -171,7 +173,6 @@ BodyEvidence gatherEvidence(const Skeleton& skeleton, const Clip& clip) {
   evidence.extents = measureExtents(skeleton, clip);
   evidence.size = std::max(evidence.extents.posed.maxCoeff(), evidence.extents.rest.maxCoeff());
   if (clip.frameCount() == 0) return evidence;
-  evidence.rootRange = extentOf(clip.rootPositions);
   PoseSurvey survey(skeleton, clip);
   for (const std::size_t frame : measuredFrames(clip)) survey.look(frame, evidence.size);
   survey.report(evidence);

@@ -19,7 +19,8 @@ BodyExtents measureExtents(const Skeleton& skeleton, const Clip& clip);
 inline constexpr std::size_t kDirections = 6;
 Vec3 directionVector(std::size_t direction);
 
-/// What a clip tells of where up is and how large the body is, in the unit and axes of its skeleton.
+/// What a clip tells of where up is and how large the body is, in the unit and axes of its skeleton. Fewer
+/// than five frames are poses, not a motion: of what moves in them nothing is said.
 struct BodyEvidence {
   BodyExtents extents;
   double size = 0.0;              ///< The longest extent, posed or at rest; 0 for a point.

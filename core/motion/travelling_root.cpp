@@ -56,32 +56,53 @@ class TravelFinder {
     measureSize();
   }
 
-  std::size_t find() {
-    std::vector<std::size_t> chain = {0};
+  std::size_t find() const {
     std::optional<std::size_t> mover;
     if (moves(0, kMoves)) mover = 0;
-    while (const std::optional<std::size_t> next = nextOf(chain.back(), mover.has_value())) {
-      chain.push_back(*next);
-      if (moves(*next, mover ? kMovesOnItsOwn : kMoves)) mover = *next;
+    std::size_t joint = 0;
+    while (const std::optional<std::size_t> next = nextOf(joint, mover.has_value())) {
+      joint = *next;
+      if (moves(joint, mover ? kMovesOnItsOwn : kMoves)) mover = joint;
     }
-    if (mover) return *mover;
-    for (const std::size_t j : chain) {
-      if (hasPositionChannels(hierarchy_.joints[j]) && spreads_[j].mean.norm() > kMoves * size_) return j;
-    }
-    return 0;
+    return mover.value_or(firstPlaced());
   }
 
  private:
-  /// The length of the longest chain of bones. Joints that go about count with their OFFSETs.
+  /// The length of the bones along the largest branches, from where limbs part. Joints that go about count
+  /// with their OFFSETs.
   void measureSize() {
-    std::vector<double> lengths(hierarchy_.joints.size(), 0.0);
-    for (std::size_t j = 1; j < lengths.size(); ++j) {
-      const BvhJoint& joint = hierarchy_.joints[j];
-      const double mean = spreads_[j].mean.norm();
-      const bool goesAbout = spreads_[j].deviation > kTravels * mean;
-      lengths[j] = lengths[*joint.parent] + (goesAbout ? joint.offset.norm() : mean);
-      size_ = std::max(size_, lengths[j]);
+    bool limbsPart = false;
+    for (std::size_t joint = 0; !children_[joint].empty();) {
+      const auto isLimb = [&](std::size_t child) { return branchDepths_[child] >= kLimb; };
+      if (!limbsPart && std::count_if(children_[joint].begin(), children_[joint].end(), isLimb) > 1) {
+        limbsPart = true;
+        size_ = 0.0;
+      }
+      joint = largestBranch(joint);
+      const double mean = spreads_[joint].mean.norm();
+      const bool goesAbout = spreads_[joint].deviation > kTravels * mean;
+      size_ += goesAbout ? hierarchy_.joints[joint].offset.norm() : mean;
     }
+  }
+
+  std::size_t largestBranch(std::size_t parent) const {
+    return *std::max_element(children_[parent].begin(), children_[parent].end(),
+                             [&](std::size_t a, std::size_t b) { return branchSizes_[a] < branchSizes_[b]; });
+  }
+
+  /// In a motion that stands still: the first joint that position channels put anywhere, with all others
+  /// below.
+  std::size_t firstPlaced() const {
+    std::size_t joint = 0;
+    while (!isPlaced(joint)) {
+      if (children_[joint].size() != 1) return 0;
+      joint = children_[joint].front();
+    }
+    return joint;
+  }
+
+  bool isPlaced(std::size_t j) const {
+    return hasPositionChannels(hierarchy_.joints[j]) && spreads_[j].mean.norm() > kMoves * size_;
   }
 
   bool moves(std::size_t j, double share) const { return spreads_[j].deviation > share * size_; }
@@ -100,13 +121,11 @@ class TravelFinder {
 
   /// The largest branch below `parent`; of those at least half as large, one that travels comes first.
   std::size_t mainBranch(std::size_t parent) const {
-    const auto isSmaller = [&](std::size_t a, std::size_t b) { return branchSizes_[a] < branchSizes_[b]; };
-    const std::vector<std::size_t>& children = children_[parent];
-    const std::size_t largest = *std::max_element(children.begin(), children.end(), isSmaller);
+    const std::size_t largest = largestBranch(parent);
     std::optional<std::size_t> traveller;
-    for (const std::size_t child : children) {
+    for (const std::size_t child : children_[parent]) {
       if (2 * branchSizes_[child] < branchSizes_[largest] || !moves(child, kTravels)) continue;
-      if (!traveller || isSmaller(*traveller, child)) traveller = child;
+      if (!traveller || branchSizes_[*traveller] < branchSizes_[child]) traveller = child;
     }
     return traveller.value_or(largest);
   }

@@ -19,16 +19,16 @@ constexpr std::size_t kPlusZ = 4;
 constexpr std::array<std::string_view, kDirections> kDirectionNames = {"x", "-x", "y", "-y", "z", "-z"};
 
 /// Log odds before anything is seen, against y up.
-constexpr std::array<double, kDirections> kPriors = {-4.2, -4.7, 0.0, -4.2, -0.3, -4.7};
+constexpr std::array<double, kDirections> kPriors = {-4.2, -4.7, 0.0, -4.2, -0.2, -4.7};
 /// How often a body does not stand: it lies, crawls or hangs, in all frames or at rest, where axes may be
 /// any.
-constexpr double kPosedOtherwise = 0.4;
-constexpr double kRestsOtherwise = 0.45;
+constexpr double kPosedOtherwise = 0.35;
+constexpr double kRestsOtherwise = 0.5;
 /// Weights of evidence, in log odds.
 constexpr double kStandingOut = 3.0;
 constexpr double kHeadAbove = 4.0;
 constexpr double kTravel = 5.0;
-constexpr double kLevel = 1.5;
+constexpr double kLevel = 1.0;
 constexpr double kSlip = 6.0;
 /// From foot to head, as a share of the body's size.
 constexpr double kUsualFeetToHead = 0.6;
