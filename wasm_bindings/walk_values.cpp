@@ -123,6 +123,67 @@ RoundBody readBody(const val& value) {
   return body;
 }
 
+val vectorValue(const Vec3& vector) {
+  val value = val::array();
+  for (const double coordinate : vector) value.call<void>("push", coordinate);
+  return value;
+}
+
+Vec3 vectorFrom(const val& value) {
+  Vec3 vector;
+  for (int axis = 0; axis < 3; ++axis) vector[axis] = value[axis].as<double>();
+  return vector;
+}
+
+val channelsValue(const std::vector<BvhChannel>& channels) {
+  val list = val::array();
+  for (const BvhChannel channel : channels) list.call<void>("push", static_cast<int>(channel));
+  return list;
+}
+
+std::vector<BvhChannel> channelsFrom(const val& value) {
+  std::vector<BvhChannel> channels;
+  for (const int channel : emscripten::vecFromJSArray<int>(value))
+    channels.push_back(static_cast<BvhChannel>(channel));
+  return channels;
+}
+
+val stillPartValue(const BvhStillPart& still) {
+  val joints = val::array();
+  for (const BvhStillJoint& entry : still.joints) {
+    val value = jointValue(entry.joint);
+    const Quat& q = entry.rotation;
+    val rotation = val::array();
+    for (const double part : {q.w(), q.x(), q.y(), q.z()}) rotation.call<void>("push", part);
+    value.set("rotation", rotation);
+    value.set("channels", channelsValue(entry.channels));
+    value.set("endSiteName", entry.endSiteName);
+    joints.call<void>("push", value);
+  }
+  val value = val::object();
+  value.set("joints", joints);
+  value.set("before", static_cast<double>(still.before));
+  value.set("holder", static_cast<double>(still.holder));
+  value.set("rootOffset", vectorValue(still.rootOffset));
+  return value;
+}
+
+BvhStillPart stillPartFrom(const val& value) {
+  BvhStillPart still;
+  for (const val& entry : emscripten::vecFromJSArray<val>(value["joints"])) {
+    const val rotation = entry["rotation"];
+    const auto part = [&](int i) { return rotation[i].as<double>(); };
+    still.joints.push_back({jointFrom(entry),
+                            {part(0), part(1), part(2), part(3)},
+                            channelsFrom(entry["channels"]),
+                            entry["endSiteName"].as<std::string>()});
+  }
+  still.before = static_cast<std::size_t>(value["before"].as<double>());
+  still.holder = static_cast<std::size_t>(value["holder"].as<double>());
+  still.rootOffset = vectorFrom(value["rootOffset"]);
+  return still;
+}
+
 /// What skeletonValue made, back in core's own types.
 struct ExportedSkeleton {
   Skeleton skeleton;
@@ -146,6 +207,7 @@ ExportedSkeleton readSkeleton(const val& value) {
   exported.layout.unitsPerMetre = value["unitsPerMetre"].as<double>();
   exported.layout.up = static_cast<UpAxis>(value["up"].as<int>());
   exported.body = readBody(value["body"]);
+  exported.layout.still = stillPartFrom(value["still"]);
   return exported;
 }
 
@@ -186,6 +248,7 @@ val skeletonValue(const MotionLibrary& library) {
   value.set("unitsPerMetre", layout.unitsPerMetre);
   value.set("up", static_cast<int>(layout.up));
   value.set("body", bodyValue(roundBody(skeleton, library.frames)));
+  value.set("still", stillPartValue(layout.still));
   return value;
 }
 

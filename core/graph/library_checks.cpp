@@ -8,6 +8,7 @@
 #include "base/utf8.h"
 #include "graph/graph_building.h"
 #include "graph/library_limits.h"
+#include "motion/bvh_still_part.h"
 
 namespace stridegraph {
 namespace {
@@ -212,6 +213,7 @@ Fault faultIn(const MotionLibrary& library) {
                        library.params.framesPerSecond);
   if (!(library.layout.unitsPerMetre > 0.0) || !std::isfinite(library.layout.unitsPerMetre))
     return fmt::format("{} units in a metre, more than 0 expected", library.layout.unitsPerMetre);
+  if (std::string fault = faultIn(library.layout.still); !fault.empty()) return fault;
   if (Fault fault = faultInClips(library)) return fault;
   if (Fault fault = faultInContacts(library)) return fault;
   const Heading& facing = library.facingOffset;

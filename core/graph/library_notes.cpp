@@ -35,6 +35,10 @@ void makeTextsUtf8(BvhDocument& document) {
   document.clip.name = toUtf8(document.clip.name);
   for (Joint& joint : document.skeleton.joints) joint.name = toUtf8(joint.name);
   for (std::string& name : document.layout.endSiteNames) name = toUtf8(name);
+  for (BvhStillJoint& still : document.layout.still.joints) {
+    still.joint.name = toUtf8(still.joint.name);
+    still.endSiteName = toUtf8(still.endSiteName);
+  }
   for (Warning& warning : document.warnings) {
     warning.message = toUtf8(warning.message);
     warning.place.file = toUtf8(warning.place.file);

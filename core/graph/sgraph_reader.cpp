@@ -23,23 +23,48 @@ std::string text(const flatbuffers::String* string) {
   return toUtf8({string->data(), string->size()});
 }
 
-Fault readJoints(const sgraph::Library& file, MotionLibrary& library) {
+Vec3 vectorOf(const sgraph::Offset& offset) {
+  return {offset.x(), offset.y(), offset.z()};
+}
+
+Joint jointOf(const sgraph::Joint& record) {
+  Joint joint{text(record.name()), {}, vectorOf(*record.offset()), record.is_end_site()};
+  if (record.parent() >= 0) joint.parent = JointIndex(static_cast<std::size_t>(record.parent()));
+  return joint;
+}
+
+Fault readChannels(const sgraph::Joint& record, std::vector<BvhChannel>& channels) {
   constexpr auto kLastChannel = static_cast<std::uint8_t>(BvhChannel::kZRotation);
+  for (const std::uint8_t channel : *record.channels()) {
+    if (channel > kLastChannel) return fmt::format("channel {} is unknown", channel);
+    channels.push_back(static_cast<BvhChannel>(channel));
+  }
+  return {};
+}
+
+Fault readStillPart(const sgraph::StillPart* part, BvhStillPart& still) {
+  if (part == nullptr) return {};
+  for (const sgraph::StillJoint* record : *part->joints()) {
+    const sgraph::Turn& turn = *record->rotation();
+    BvhStillJoint& entry = still.joints.emplace_back(BvhStillJoint{jointOf(*record->joint()),
+                                                                   {turn.w(), turn.x(), turn.y(), turn.z()},
+                                                                   {},
+                                                                   text(record->joint()->end_site_name())});
+    if (Fault fault = readChannels(*record->joint(), entry.channels)) return fault;
+  }
+  still.before = part->before();
+  still.holder = part->holder();
+  still.rootOffset = vectorOf(*part->root_offset());
+  return {};
+}
+
+Fault readJoints(const sgraph::Library& file, MotionLibrary& library) {
   for (const sgraph::Joint* record : *file.joints()) {
-    Joint joint{text(record->name()),
-                {},
-                {record->offset()->x(), record->offset()->y(), record->offset()->z()},
-                record->is_end_site()};
-    if (record->parent() >= 0) joint.parent = JointIndex(static_cast<std::size_t>(record->parent()));
-    library.skeleton.joints.push_back(std::move(joint));
-    std::vector<BvhChannel> channels;
-    for (const std::uint8_t channel : *record->channels()) {
-      if (channel > kLastChannel) return fmt::format("channel {} is unknown", channel);
-      channels.push_back(static_cast<BvhChannel>(channel));
-    }
-    library.layout.channels.push_back(std::move(channels));
+    library.skeleton.joints.push_back(jointOf(*record));
+    if (Fault fault = readChannels(*record, library.layout.channels.emplace_back())) return fault;
     library.layout.endSiteNames.push_back(text(record->end_site_name()));
   }
+  if (Fault fault = readStillPart(file.still(), library.layout.still)) return fault;
   if (file.up() > static_cast<std::uint8_t>(UpAxis::kZ))
     return fmt::format("up axis {} is unknown", file.up());
   library.layout.unitsPerMetre = file.units_per_metre();

@@ -18,26 +18,42 @@ Offset<flatbuffers::String> writeText(FlatBufferBuilder& builder, const std::str
   return builder.CreateString(toUtf8(text));
 }
 
+Offset<sgraph::Joint> writeJoint(FlatBufferBuilder& builder, const Joint& joint,
+                                 const std::vector<BvhChannel>& channels, const std::string& endSiteName) {
+  std::vector<std::uint8_t> numbers;
+  for (const BvhChannel channel : channels) numbers.push_back(static_cast<std::uint8_t>(channel));
+  const sgraph::Offset offset(joint.offset.x(), joint.offset.y(), joint.offset.z());
+  const auto name = writeText(builder, joint.name);
+  const auto channelBytes = builder.CreateVector(numbers);
+  const auto endSite = writeText(builder, endSiteName);
+  return sgraph::CreateJoint(builder, name,
+                             joint.parent ? static_cast<std::int32_t>(joint.parent->value) : -1, &offset,
+                             joint.isEndSite, channelBytes, endSite);
+}
+
 std::vector<Offset<sgraph::Joint>> writeJoints(FlatBufferBuilder& builder, const MotionLibrary& library) {
+  const BvhLayout& layout = library.layout;
   std::vector<Offset<sgraph::Joint>> joints;
   for (std::size_t j = 0; j < library.skeleton.size(); ++j) {
-    const Joint& joint = library.skeleton.joints[j];
-    std::vector<std::uint8_t> channels;
-    if (j < library.layout.channels.size()) {
-      for (const BvhChannel channel : library.layout.channels[j])
-        channels.push_back(static_cast<std::uint8_t>(channel));
-    }
-    const std::string endSiteName =
-        j < library.layout.endSiteNames.size() ? library.layout.endSiteNames[j] : std::string();
-    const sgraph::Offset offset(joint.offset.x(), joint.offset.y(), joint.offset.z());
-    const auto name = writeText(builder, joint.name);
-    const auto channelBytes = builder.CreateVector(channels);
-    const auto endSite = writeText(builder, endSiteName);
-    joints.push_back(sgraph::CreateJoint(builder, name,
-                                         joint.parent ? static_cast<std::int32_t>(joint.parent->value) : -1,
-                                         &offset, joint.isEndSite, channelBytes, endSite));
+    joints.push_back(writeJoint(builder, library.skeleton.joints[j],
+                                j < layout.channels.size() ? layout.channels[j] : std::vector<BvhChannel>(),
+                                j < layout.endSiteNames.size() ? layout.endSiteNames[j] : std::string()));
   }
   return joints;
+}
+
+Offset<sgraph::StillPart> writeStillPart(FlatBufferBuilder& builder, const BvhStillPart& still) {
+  std::vector<Offset<sgraph::StillJoint>> joints;
+  for (const BvhStillJoint& entry : still.joints) {
+    const auto joint = writeJoint(builder, entry.joint, entry.channels, entry.endSiteName);
+    const Quat& q = entry.rotation;
+    const sgraph::Turn turn(q.w(), q.x(), q.y(), q.z());
+    joints.push_back(sgraph::CreateStillJoint(builder, joint, &turn));
+  }
+  const auto all = builder.CreateVector(joints);
+  const sgraph::Offset offset(still.rootOffset.x(), still.rootOffset.y(), still.rootOffset.z());
+  return sgraph::CreateStillPart(builder, all, static_cast<std::uint32_t>(still.before),
+                                 static_cast<std::uint32_t>(still.holder), &offset);
 }
 
 std::vector<Offset<sgraph::ClipRange>> writeClips(FlatBufferBuilder& builder, const MotionLibrary& library) {
@@ -133,6 +149,9 @@ void writeLibrary(FlatBufferBuilder& builder, const MotionLibrary& library, cons
   const auto license = writeText(builder, library.license);
   Offset<flatbuffers::Vector<Offset<sgraph::Note>>> notes;
   if (!part.notes.empty()) notes = builder.CreateVector(writeNotes(builder, part.notes));
+  // Absent where nothing stands still: libraries from before it keep their bytes, and hashes.
+  Offset<sgraph::StillPart> still;
+  if (!library.layout.still.joints.empty()) still = writeStillPart(builder, library.layout.still);
   sgraph::LibraryBuilder table(builder);
   table.add_version(kSgraphVersion);
   table.add_hash(part.libraryHash);
@@ -165,6 +184,7 @@ void writeLibrary(FlatBufferBuilder& builder, const MotionLibrary& library, cons
     table.add_notes(notes);
     table.add_file_hash(0);
   }
+  if (!still.IsNull()) table.add_still(still);
   sgraph::FinishLibraryBuffer(builder, table.Finish());
 }
 

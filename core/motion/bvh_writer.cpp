@@ -11,6 +11,7 @@
 #include "base/check.h"
 #include "motion/bvh_conventions.h"
 #include "motion/bvh_euler_track.h"
+#include "motion/bvh_still_part.h"
 #include "motion/export_names.h"
 
 namespace stridegraph {
@@ -55,11 +56,16 @@ BvhChannel rotationChannel(Axis axis) {
 
 class BvhWriter {
  public:
-  BvhWriter(const Skeleton& skeleton, const BvhLayout& layout, const Clip& clip)
+  /// `travel` are the translations of the joint that has them anew in each frame; the others keep their
+  /// offsets.
+  BvhWriter(const Skeleton& skeleton, const BvhLayout& layout, const Clip& clip, JointIndex travelling,
+            const std::vector<Vec3>& travel)
       : skeleton_(skeleton),
         layout_(layout),
         clip_(clip),
-        lengthDecimals_(lengthDecimals(layout.unitsPerMetre)) {}
+        lengthDecimals_(lengthDecimals(layout.unitsPerMetre)),
+        travelling_(travelling),
+        travel_(travel) {}
 
   std::string write() {
     for (std::size_t j = 0; j < skeleton_.size(); ++j) columns_.push_back(columnsOf(j));
@@ -96,7 +102,7 @@ class BvhWriter {
       if (isPosition(channel)) continue;
       axes.push_back(static_cast<Axis>(static_cast<int>(channel) % 3));
     }
-    if (!joint.parent) axes = withAllAxes(std::move(axes));
+    if (travels(j)) axes = withAllAxes(std::move(axes));
     std::vector<Quat> rotations;
     rotations.reserve(clip_.frameCount());
     for (std::size_t f = 0; f < clip_.frameCount(); ++f) {
@@ -107,13 +113,16 @@ class BvhWriter {
     return columns;
   }
 
-  /// The layout's channels with what is missing: at the root positions in front, anywhere axes at the end.
+  bool travels(std::size_t j) const { return travelling_.value == j; }
+
+  /// The layout's channels with what is missing: at the joint that travels positions in front, anywhere axes
+  /// at the end.
   std::vector<BvhChannel> channelsOf(std::size_t j, const std::vector<Axis>& axes) const {
     std::vector<BvhChannel> channels = layout_.channels[j];
     const auto isMissing = [&](BvhChannel channel) {
       return std::find(channels.begin(), channels.end(), channel) == channels.end();
     };
-    if (!skeleton_.joints[j].parent) {
+    if (travels(j)) {
       for (const BvhChannel channel :
            {BvhChannel::kZPosition, BvhChannel::kYPosition, BvhChannel::kXPosition}) {
         if (isMissing(channel)) channels.insert(channels.begin(), channel);
@@ -171,7 +180,7 @@ class BvhWriter {
     bool isFirst = true;
     for (std::size_t j = 0; j < skeleton_.size(); ++j) {
       const Joint& joint = skeleton_.joints[j];
-      const Vec3& translation = joint.parent ? joint.offset : clip_.rootPositions[f];
+      const Vec3& translation = travels(j) ? travel_[f] : joint.offset;
       const Vec3 position = fileFromCore(layout_.up, translation) * layout_.unitsPerMetre;
       std::size_t angle = 0;
       for (const BvhChannel channel : columns_[j].channels) {
@@ -194,6 +203,8 @@ class BvhWriter {
   const BvhLayout& layout_;
   const Clip& clip_;
   int lengthDecimals_;
+  JointIndex travelling_;
+  const std::vector<Vec3>& travel_;
   std::vector<JointColumns> columns_;
   fmt::memory_buffer text_;
 };
@@ -204,7 +215,10 @@ std::string writeBvh(const Skeleton& skeleton, const BvhLayout& layout, const Cl
   STRIDEGRAPH_CHECK(layout.channels.size() == skeleton.size() &&
                     layout.endSiteNames.size() == skeleton.size());
   STRIDEGRAPH_CHECK(clip.jointCount == skeleton.size());
-  return BvhWriter(skeleton, layout, clip).write();
+  if (layout.still.joints.empty())
+    return BvhWriter(skeleton, layout, clip, JointIndex(std::size_t{0}), clip.rootPositions).write();
+  const WholeBvh whole = withStillPart(skeleton, layout, clip);
+  return BvhWriter(whole.skeleton, whole.layout, whole.clip, whole.travelling, whole.travel).write();
 }
 
 }  // namespace stridegraph
