@@ -70,7 +70,18 @@ Warning limit(std::string message) {
 
 std::string mirrorHint(const MotionLibrary& library, std::string_view side) {
   if (library.params.mirror) return fmt::format("clips that turn {} would help", side);
-  return fmt::format("mirror images of the clips (--mirror) turn {} as much, or add clips that do", side);
+  return fmt::format(
+      "mirror images of the clips (--mirror) turn {} as much and help where they connect with them, or "
+      "add clips that do",
+      side);
+}
+
+/// "12 to 30 degrees a second".
+std::string ratesText(double least, double most) {
+  const long low = std::lround(least);
+  const long high = std::lround(most);
+  return low == high ? fmt::format("{} degrees a second", high)
+                     : fmt::format("{} to {} degrees a second", low, high);
 }
 
 /// Which way walks can turn; empty when both ways.
@@ -82,20 +93,20 @@ std::string turningText(const MotionLibrary& library) {
   const double straight = kStraightPerSecond.degrees();
   if (least >= -straight && most <= straight)
     return fmt::format(
-        "walks go straight on only: they turn by {:.0f} degrees a second at most; clips that turn "
+        "walks go straight on only: they turn by {:.1f} degrees a second at most; clips that turn "
         "would help",
         std::max(std::abs(least), std::abs(most)));
   if (least > straight)
-    return fmt::format("walks can only curve to the left, by {:.0f} to {:.0f} degrees a second: {}", least,
-                       most, mirrorHint(library, "right"));
+    return fmt::format("walks can only curve to the left, by {}: {}", ratesText(least, most),
+                       mirrorHint(library, "right"));
   if (most < -straight)
-    return fmt::format("walks can only curve to the right, by {:.0f} to {:.0f} degrees a second: {}", -most,
-                       -least, mirrorHint(library, "left"));
+    return fmt::format("walks can only curve to the right, by {}: {}", ratesText(-most, -least),
+                       mirrorHint(library, "left"));
   if (least >= -straight)
-    return fmt::format("walks can turn to the left only, by {:.0f} degrees a second at most: {}", most,
+    return fmt::format("walks can turn to the left only, by {:.1f} degrees a second at most: {}", most,
                        mirrorHint(library, "right"));
   if (most <= straight)
-    return fmt::format("walks can turn to the right only, by {:.0f} degrees a second at most: {}", -least,
+    return fmt::format("walks can turn to the right only, by {:.1f} degrees a second at most: {}", -least,
                        mirrorHint(library, "left"));
   return {};
 }
@@ -117,6 +128,9 @@ std::string tinyShareText(const MotionLibrary& library, const BuildReport& repor
 std::string adviceOnNoGraph(const MotionLibrary& library, const BuildReport& report,
                             const TrialFindings& findings) {
   const LibraryParams& params = library.params;
+  const MotionSurvey survey = surveyOf(library, wholeClips(library));
+  if (survey.isOnePose && survey.fastestMetresPerSecond < kWalkingSpeed)
+    return "no walk could go on for ever: every frame shows the same pose";
   std::vector<std::string> texts;
   if (report.transitionsBeforePruning == 0) {
     texts.push_back(
@@ -131,7 +145,6 @@ std::string adviceOnNoGraph(const MotionLibrary& library, const BuildReport& rep
   }
   for (std::string& text : findingsText(library, findings, "one could", "would do"))
     texts.push_back(std::move(text));
-  const MotionSurvey survey = surveyOf(library, wholeClips(library));
   const std::string length = lengthText(library, survey.longestSeconds);
   if (!length.empty()) texts.push_back(length);
   if (survey.fastestMetresPerSecond < kWalkingSpeed)
@@ -148,18 +161,16 @@ Warnings limitsOf(const MotionLibrary& library, const BuildReport& report, const
   const MotionSurvey survey = surveyOf(library, playedRuns(library, library.graph));
   if (survey.fastestMetresPerSecond < kWalkingSpeed) {
     limits.push_back(limit(fmt::format(
-        "{}: the fastest half second of the graph goes at {:.2f} m/s, so that walks lead nowhere; clips that "
-        "walk are needed",
-        survey.isOnePose ? "every frame shows the same pose" : "nothing walks",
+        "nothing walks: the fastest half second of the graph goes at {:.2f} m/s, so that walks lead nowhere; "
+        "clips that walk are needed",
         survey.fastestMetresPerSecond)));
     return limits;
   }
   if (survey.slowestMetresPerSecond > kStandingSpeed)
-    limits.push_back(
-        limit(fmt::format("nothing stands: the slowest half second of the graph goes at {:.2f} m/s, so that "
-                          "walks begin and end in "
-                          "motion; a clip that sets off from standing and stops would help",
-                          survey.slowestMetresPerSecond)));
+    limits.push_back(limit(
+        fmt::format("nothing stands: the slowest half second of the graph goes at {:.2f} m/s, so that "
+                    "walks begin and end in motion; a clip that sets off from standing and stops would help",
+                    survey.slowestMetresPerSecond)));
   if (const std::string turning = turningText(library); !turning.empty()) limits.push_back(limit(turning));
   return limits;
 }

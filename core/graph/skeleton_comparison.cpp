@@ -137,6 +137,9 @@ void compareOffsets(const Skeleton& expected, const Skeleton& found, const Match
     if (!differences.scale && (joint.offset - other.offset).norm() > toleranceMetres)
       differences.offsets.push_back({joint.name, other.offset, joint.offset});
   }
+  const auto apart = [](const auto& one) { return (one.found - one.expected).norm(); };
+  std::stable_sort(differences.offsets.begin(), differences.offsets.end(),
+                   [&](const auto& a, const auto& b) { return apart(a) > apart(b); });
 }
 
 /// The first joint found that comes before one that it should come after.

@@ -32,7 +32,7 @@ struct SkeletonDifferences {
   std::vector<Renamed> renamed;
   std::vector<OtherParent> parents;
   std::vector<std::string> kinds;    ///< A joint in the one and an end site in the other.
-  std::vector<OtherOffset> offsets;  ///< Empty where `scale` tells all of them.
+  std::vector<OtherOffset> offsets;  ///< The largest difference first; empty where `scale` tells all.
   /// All bones are so many times as long as expected, to within a hundredth.
   std::optional<double> scale;
   /// The first joint that comes at another place in the file, where nothing else differs.

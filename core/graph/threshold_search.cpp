@@ -14,8 +14,10 @@ constexpr double kGrowth = 1.5;
 /// The first threshold tried is at least this, metres: much smaller ones hardly tell.
 constexpr double kLeastScannedMetres = 0.03;
 constexpr double kCandidatesPerMetre = 1000.0;
-/// Scans that confirm a result and may improve it.
-constexpr std::size_t kConfirmingRounds = 2;
+/// Scans a millimetre below a result that has been tried.
+constexpr std::size_t kMostDescents = 8;
+/// Scans that try a result and what lies below it, which may give others to try.
+constexpr std::size_t kConfirmingRounds = 2 * kMostDescents;
 
 ValleyParams valleyParams(const LibraryParams& params, double thresholdMetres) {
   return {.thresholdMetres = thresholdMetres,
@@ -118,18 +120,25 @@ void ThresholdSearch::conclude() {
   const bool isCut = regions_.size() > kMostRegions;
   if (isCut) sawAll_ = false;
   if (best_) {
-    const bool isTried = best_->thresholdMetres == scannedMetres_;
     found_ = best_;
-    isDone_ = isTried || rounds_ >= mostRounds_;
-    if (!isDone_) beginScan(best_->thresholdMetres);
+    if (best_->thresholdMetres < scannedMetres_) return tryAt(best_->thresholdMetres);
+    // Under a smaller threshold fewer lines compete, and some that were passed over may do.
+    if (low_ > 0 && descents_++ < kMostDescents) return tryAt(candidateMetres(low_ - 1));
+    isDone_ = true;
   } else if (found_) {
-    // With more regions another part of the graph is the largest, and plays fewer frames.
-    if (!isCut) found_->playedFrames = playedWith(scannedMetres_);
+    // Also where with more regions another part of the graph is the largest, and plays fewer frames.
+    if (scannedMetres_ == found_->thresholdMetres && !isCut)
+      found_->playedFrames = playedWith(scannedMetres_);
     isDone_ = true;
   } else {
     isDone_ = isCut || scannedMetres_ >= goal_.toMetres;
     if (!isDone_) beginScan(std::min(goal_.toMetres, kGrowth * scannedMetres_));
   }
+}
+
+void ThresholdSearch::tryAt(double thresholdMetres) {
+  isDone_ = rounds_ >= mostRounds_;
+  if (!isDone_) beginScan(thresholdMetres);
 }
 
 }  // namespace stridegraph

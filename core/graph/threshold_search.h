@@ -28,7 +28,8 @@ struct ThresholdFinding {
 /// frames. It compares all pairs of frames under a threshold half as large again each time, until the graph
 /// plays enough. The regions of a scan whose largest distance is at most some smaller tau are all found under
 /// tau as well (Region::largestMicrometres), and more regions never take a walk away; so one scan tells of
-/// every smaller threshold by bisection. The result is scanned once more: what is found has been tried.
+/// every smaller threshold by bisection. The result is scanned once more, and then what lies a millimetre
+/// below it: what is found has been tried.
 ///
 /// The work is bounded: clips are taken in order until their pairs of frames reach kMostPairs, which may
 /// leave a smaller threshold unseen but never gives a wrong one, and a scan ends at kMostRegions.
@@ -59,6 +60,7 @@ class ThresholdSearch {
   void endScan();
   void probe();
   void conclude();
+  void tryAt(double thresholdMetres);
   double candidateMetres(std::size_t candidate) const;
   std::size_t playedWith(double thresholdMetres) const;
 
@@ -75,6 +77,7 @@ class ThresholdSearch {
   std::optional<ThresholdFinding> best_;  ///< Of the last scan.
   std::size_t rounds_ = 0;                ///< Scans done.
   std::size_t mostRounds_ = 1;
+  std::size_t descents_ = 0;
   bool sawAll_ = true;
   bool isDone_ = false;
   std::optional<ThresholdFinding> found_;

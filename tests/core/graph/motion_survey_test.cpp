@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "graph/clip_intake.h"
 #include "graph/test_library.h"
 
 namespace stridegraph {
@@ -12,11 +13,16 @@ using testing::documentOf;
 using testing::walker;
 using testing::walkOf;
 
-/// A body that rests.
-BvhDocument still(std::size_t frames) {
+/// A body that rests, as a library holds it; no graph is made of it.
+MotionLibrary resting(std::size_t frames) {
   Clip clip{"still", 30.0, walker().size(), {}, {}};
   for (std::size_t f = 0; f < frames; ++f) clip.append(testing::restPose(walker(), {0.0, 0.9, 0.0}).view());
-  return documentOf(std::move(clip), "still");
+  ClipIntake intake(walker(), {});
+  Warnings warnings;
+  intake.add(clip, warnings);
+  MotionLibrary library;
+  intake.collect(library);
+  return library;
 }
 
 TEST(MotionSurvey, tellsSpeedAndWayOfASteadyWalk) {
@@ -45,7 +51,7 @@ TEST(MotionSurvey, looksAtTheStretchesItIsGivenAlone) {
 }
 
 TEST(MotionSurvey, recognisesASinglePose) {
-  const MotionLibrary library = builtFrom({still(60)}).library;
+  const MotionLibrary library = resting(60);
   const MotionSurvey survey = surveyOf(library, wholeClips(library));
   EXPECT_TRUE(survey.isOnePose);
   EXPECT_EQ(survey.fastestMetresPerSecond, 0.0);
@@ -53,7 +59,7 @@ TEST(MotionSurvey, recognisesASinglePose) {
 }
 
 TEST(MotionSurvey, ofNothingIsNothing) {
-  const MotionLibrary library = builtFrom({still(60)}).library;
+  const MotionLibrary library = resting(60);
   const std::vector<std::vector<PlayedRun>> none = {{}};
   const MotionSurvey survey = surveyOf(library, none);
   EXPECT_EQ(survey.frames, 0U);

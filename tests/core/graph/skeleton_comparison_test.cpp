@@ -45,7 +45,7 @@ TEST(SkeletonComparison, namesEveryBoneOfAnotherLengthInCentimetres) {
   Skeleton other = walker();
   other.joints[2].offset = {0.0, -0.43, 0.0};
   other.joints[10].offset = {0.2, 0.05, 0.0};
-  EXPECT_EQ(differenceOf(other), "leftShin 43.0 cm, expected 45.0 cm, leftArm 20.6 cm, expected 20.0 cm");
+  EXPECT_EQ(differenceOf(other), "leftArm 20.6 cm, expected 20.0 cm, leftShin 43.0 cm, expected 45.0 cm");
 }
 
 TEST(SkeletonComparison, tellsBonesThatPointElsewhereByTheirVectors) {
@@ -80,7 +80,7 @@ TEST(SkeletonComparison, namesOtherParents) {
 TEST(SkeletonComparison, tellsJointsFromEndSites) {
   Skeleton other = walker();
   other.joints[12].isEndSite = false;
-  EXPECT_EQ(differenceOf(other), "a joint in the one and an end site in the other: leftHand#end");
+  EXPECT_EQ(differenceOf(other), "a joint in one and an end site in the other: leftHand#end");
 }
 
 TEST(SkeletonComparison, saysWhereTheOrderChanges) {
@@ -97,7 +97,7 @@ TEST(SkeletonComparison, namesSoManyJointsAndCountsTheOthers) {
   for (std::size_t j = 1; j < 8; ++j) other.joints[j].offset.x() += 0.01 * static_cast<double>(j);
   const std::string text = differenceOf(other, 2);
   EXPECT_TRUE(text.ends_with(" and 5 more joints")) << text;
-  EXPECT_NE(text.find("leftThigh 11.0 cm, expected 10.0 cm"), std::string::npos) << text;
+  EXPECT_TRUE(text.starts_with("rightFoot 40.6 cm, expected 40.0 cm, ")) << text;
 }
 
 /// Of a walker with one thing changed at random.
