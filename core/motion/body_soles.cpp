@@ -14,13 +14,14 @@ constexpr double kAnkleRadiusMetres = 0.041, kHeelRadiusMetres = 0.036, kBallRad
 /// Of the heights of a point: single frames may dip lower.
 constexpr double kDownShare = 0.02;
 /// Of the frames, in which a foot is down for certain: bodies that run are in the air for half of the time.
-constexpr double kPlantedShare = 0.3;
+constexpr double kPlantedShare = 0.4;
 /// How far behind the ankle the heel may lie, as shares of the level way from the ball of the foot to it.
 constexpr std::array<double, 9> kHeelShares = {0.44, 0.41, 0.38, 0.35, 0.32, 0.29, 0.26, 0.23, 0.20};
 /// A heel that dips deeper than it stands in the flat foot lies too far back.
 constexpr double kHeelDipMetres = 0.002;
 constexpr double kThinnestSole = 0.5, kThickestSole = 1.5;  ///< Times the radius of the standard body.
-constexpr int kAnkleDepth = 2;                              ///< Below the hip.
+constexpr double kThickestRest = 2.0;  ///< Likewise, with what is made up for on the whole.
+constexpr int kAnkleDepth = 2;         ///< Below the hip.
 
 /// Where some joints are in the poses that stand for the body's motion.
 class SampledJoints {
@@ -120,7 +121,7 @@ void fitEnd(const BodyAnatomy& body, const SampledJoints& legs, PartEnd& end) {
 void addToSole(const BodyAnatomy& body, double metres, const PartEnd& standard, PartEnd& end) {
   if (!isSole(body, end)) return;
   end.radius =
-      std::clamp(end.radius + metres, kThinnestSole * standard.radius, kThickestSole * standard.radius);
+      std::clamp(end.radius + metres, kThinnestSole * standard.radius, kThickestRest * standard.radius);
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace stridegraph {
 void addHeels(const BodyAnatomy& body, double scale, std::vector<BodyPart>& parts);
 
 /// Makes the ends of the feet's parts as thick as they lie over the floor y = 0 when they are down, so that
-/// planted feet touch the floor: between half and one and a half times the radius that they have. Other parts
+/// planted feet touch the floor: between half and twice the radius that they have. Other parts
 /// of legs become no thicker.
 void fitSoles(const BodyAnatomy& body, std::vector<BodyPart>& parts);
 
