@@ -23,7 +23,7 @@ inline constexpr double kMostHeadingDegrees = 1e6;
 /// What the text of a scene may hold: bytes, levels of nesting, members of one object.
 inline constexpr std::size_t kMostSceneBytes = std::size_t{16} << 20U;
 inline constexpr std::size_t kMostJsonLevels = 64;
-inline constexpr std::size_t kMostJsonMembers = 1000;
+inline constexpr std::size_t kMostJsonMembers = 256;
 /// Names of odd members that a reader lists one by one.
 inline constexpr std::size_t kMostSceneNotes = 50;
 

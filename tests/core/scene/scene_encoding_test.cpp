@@ -82,7 +82,7 @@ TEST(SceneJson, refusesObjectsOfMoreMembersThanItAllows) {
   std::string members = "\"a0\": 0";
   for (std::size_t i = 1; i <= kMostJsonMembers; ++i) members += ", \"a" + std::to_string(i) + "\": 0";
   EXPECT_EQ(refusal("{" + members + "}"),
-            "room.json: found an object of more than 1000 members, expected a scene");
+            "room.json: found an object of more than 256 members, expected a scene");
 }
 
 }  // namespace
