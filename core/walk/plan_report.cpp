@@ -78,10 +78,15 @@ nlohmann::ordered_json objectOf(const PlanReport& report) {
   return json;
 }
 
+/// Texts that are not UTF-8 do not make it fail: their wrong bytes become U+FFFD.
+std::string textOf(const nlohmann::ordered_json& json) {
+  return json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
 }  // namespace
 
 std::string toJson(const PlanReport& report) {
-  return objectOf(report).dump(1);
+  return textOf(objectOf(report));
 }
 
 std::string toJson(const Plan& plan) {
@@ -90,7 +95,7 @@ std::string toJson(const Plan& plan) {
     json["walkers"] = nlohmann::ordered_json::array();
     for (const Plan& other : plan.others) json["walkers"].push_back(objectOf(other.report));
   }
-  return json.dump(1);
+  return textOf(json);
 }
 
 }  // namespace stridegraph

@@ -237,6 +237,17 @@ TEST(SceneJson, staysWithinOneUnitForHeadingsNoDegreesGive) {
   }
 }
 
+TEST(SceneJson, refusesPlacesAndTimesThatNoRoomHas) {
+  EXPECT_EQ(refusal(changed("\"x\": 17", "\"x\": 1e300")),
+            "goal.x: found 1e+300, expected a number from -1000000 to 1000000");
+  EXPECT_EQ(refusal(changed("7.4", "2e6")),
+            "obstacles[0].depth: found 2000000, expected a number from 0 to 1000000");
+  EXPECT_EQ(refusal(changed("2.5", "1e9")),
+            "moving[0].track[1].t: found 1000000000, expected a number from -1000000 to 1000000");
+  EXPECT_NE(refusal(changed("\"heading_deg\": 90", "\"heading_deg\": -1e9")).find("start.heading_deg"),
+            std::string::npos);
+}
+
 TEST(SceneJson, checksScenesMadeInCode) {
   Scene scene = *readSceneJson(kValid);
   EXPECT_TRUE(checkScene(scene));
