@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "base/utf8.h"
 #include "graph/graph_building.h"
 #include "graph/library_checks.h"
 #include "graph/sgraph_file.h"
@@ -17,8 +18,9 @@ using Fault = std::optional<std::string>;
 /// Smaller than any library: identifier, root and the fields of an empty one.
 constexpr std::size_t kLeastBytes = 64;
 
+/// Names are UTF-8 whatever wrote the file, since reports and exports hold them.
 std::string text(const flatbuffers::String* string) {
-  return string->str();
+  return toUtf8(string->str());
 }
 
 Fault readJoints(const sgraph::Library& file, MotionLibrary& library) {

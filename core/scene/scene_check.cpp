@@ -27,9 +27,15 @@ Checked checkWithin(const std::string& member, double value, double low, double 
   return {};
 }
 
+/// A finite number whose magnitude is not beyond a limit.
+Checked checkMagnitude(const std::string& member, double value, double most) {
+  if (Checked finite = checkFinite(member, value); !finite) return finite;
+  return checkWithin(member, value, -most, most);
+}
+
 Checked checkPoint(const std::string& member, const Vec2& point) {
-  if (Checked x = checkFinite(member + ".x", point.x()); !x) return x;
-  return checkFinite(member + ".z", point.y());
+  if (Checked x = checkMagnitude(member + ".x", point.x(), kFarthestMetres); !x) return x;
+  return checkMagnitude(member + ".z", point.y(), kFarthestMetres);
 }
 
 Checked checkSize(const std::string& member, const Vec2& size) {
@@ -37,7 +43,8 @@ Checked checkSize(const std::string& member, const Vec2& size) {
     return wrong(member + ".width", size.x(), "a number above 0");
   if (!(size.y() > 0.0 && std::isfinite(size.y())))
     return wrong(member + ".depth", size.y(), "a number above 0");
-  return {};
+  if (Checked width = checkMagnitude(member + ".width", size.x(), kFarthestMetres); !width) return width;
+  return checkMagnitude(member + ".depth", size.y(), kFarthestMetres);
 }
 
 Checked checkPlacement(const std::string& member, const Placement& placement) {
@@ -63,7 +70,7 @@ Checked checkMoving(const std::string& member, const MovingObstacle& moving) {
   for (std::size_t i = 0; i < moving.track.size(); ++i) {
     const std::string place = fmt::format("{}.track[{}]", member, i);
     const TrackPoint& point = moving.track[i];
-    if (Checked time = checkFinite(place + ".t", point.seconds); !time) return time;
+    if (Checked time = checkMagnitude(place + ".t", point.seconds, kFarthestSeconds); !time) return time;
     if (i > 0 && !(point.seconds > moving.track[i - 1].seconds)) {
       return wrong(place + ".t", point.seconds, fmt::format("a time above {}", moving.track[i - 1].seconds));
     }

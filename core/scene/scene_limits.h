@@ -8,6 +8,10 @@ namespace stridegraph {
 /// more memory or time than a page has.
 inline constexpr double kLeastRoomMetres = 1.0;
 inline constexpr double kMostRoomMetres = 1000.0;
+/// Of places and sizes, whatever the sign: a thousand rooms away, where arithmetic is still exact.
+inline constexpr double kFarthestMetres = 1e6;
+/// Of times along tracks, whatever the sign: eleven days.
+inline constexpr double kFarthestSeconds = 1e6;
 inline constexpr double kLeastRadiusMetres = 0.05;
 inline constexpr double kMostRadiusMetres = 5.0;
 inline constexpr std::size_t kMostObstacles = 10'000;
