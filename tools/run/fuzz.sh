@@ -39,7 +39,7 @@ fuzzInputs() {
 
 # fuzzOptions TARGET: what holds for every run of it.
 fuzzOptions() {
-  printf '%s\n' -max_len=8192 -timeout=60 -rss_limit_mb=4096 -verbosity=1
+  printf '%s\n' -max_len=8192 -timeout=120 -rss_limit_mb=4096 -verbosity=1
   [ ! -f "tests/fuzz/$1.dict" ] || printf '%s\n' "-dict=tests/fuzz/$1.dict"
 }
 
@@ -88,7 +88,7 @@ mergeCorpus() {
 noteCoverage() {
   local name=$1 tree=build/fuzz-coverage inputs
   mapfile -t inputs < <(fuzzInputs "$name")
-  LLVM_PROFILE_FILE=$tree/$name.profraw "$tree/bin/${name}_fuzz" -runs=0 -timeout=60 "${inputs[@]}" >"$tree/$name.log" 2>&1 ||
+  LLVM_PROFILE_FILE=$tree/$name.profraw "$tree/bin/${name}_fuzz" -runs=0 -timeout=120 "${inputs[@]}" >"$tree/$name.log" 2>&1 ||
     fail "fuzz: measuring coverage failed, see $tree/$name.log"
   llvm-profdata merge -sparse "$tree/$name.profraw" -o "$tree/$name.profdata"
   llvm-cov export -summary-only "-instr-profile=$tree/$name.profdata" "$tree/bin/${name}_fuzz" >"$tree/$name.json"
