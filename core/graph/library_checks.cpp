@@ -18,6 +18,16 @@ using Fault = std::optional<std::string>;
 /// With fewer even a single stretch of a clip that repeats itself might not fit in.
 constexpr std::uint32_t kLeastMostTransitions = 1000;
 
+/// Lengths beyond this are no body's and no room's: their squares and sums would no longer tell frames apart.
+constexpr double kFarthestMetres = 1e6;
+
+/// What is wrong with a length along each axis; empty when nothing is.
+std::string faultInPlace(const Vec3& place) {
+  if (!place.allFinite()) return "is not finite";
+  if (place.cwiseAbs().maxCoeff() > kFarthestMetres) return fmt::format("is more than {} m", kFarthestMetres);
+  return {};
+}
+
 bool isBetween(double value, double low, double high) {
   return value >= low && value <= high;
 }
@@ -173,7 +183,8 @@ Fault faultIn(const Skeleton& skeleton) {
   for (std::size_t j = 0; j < skeleton.size(); ++j) {
     const Joint& joint = skeleton.joints[j];
     if ((j == 0) != !joint.parent) return fmt::format("joint {} is {}a root", j, j == 0 ? "not " : "");
-    if (!joint.offset.allFinite()) return fmt::format("joint {} has no finite offset", joint.name);
+    if (const std::string fault = faultInPlace(joint.offset); !fault.empty())
+      return fmt::format("the offset of joint {} {}", joint.name, fault);
     if (!joint.parent) continue;
     if (joint.parent->value >= j) return fmt::format("joint {} comes before its parent", joint.name);
     if (skeleton.joints[joint.parent->value].isEndSite)
@@ -190,8 +201,8 @@ Fault faultIn(const Skeleton& skeleton, const Clip& clip) {
     return fmt::format("{} rotations in {} frames for {} joints", clip.rotations.size(), clip.frameCount(),
                        skeleton.size());
   for (std::size_t f = 0; f < clip.frameCount(); ++f) {
-    if (!clip.rootPositions[f].allFinite())
-      return fmt::format("the root's position in frame {} is not finite", f);
+    if (const std::string fault = faultInPlace(clip.rootPositions[f]); !fault.empty())
+      return fmt::format("the root's position in frame {} {}", f, fault);
     const PoseView pose = clip.pose(f);
     for (std::size_t j = 0; j < skeleton.size(); ++j) {
       if (!isBetween(pose.rotations[j].norm(), 0.999, 1.001))

@@ -8,6 +8,7 @@
 
 #include "base/bits.h"
 #include "base/hash.h"
+#include "base/utf8.h"
 #include "scene/base64_url.h"
 #include "scene/degrees.h"
 #include "scene/json_text.h"
@@ -207,6 +208,7 @@ tl::unexpected<Error> damaged(std::string_view found) {
 
 Result<void> checkShared(const SharedScene& shared) {
   if (Result<void> checked = checkScene(shared.scene); !checked) return damaged(checked.error().message);
+  if (!isUtf8(shared.scene.name) || !isUtf8(shared.search)) return damaged("a name that is not UTF-8");
   if (shared.scene.unknownMembers.empty()) return {};
   const Result<Json> unknown = parseJson(shared.scene.unknownMembers, "link");
   if (!unknown || !unknown->is_object()) return damaged("members that are no JSON object");

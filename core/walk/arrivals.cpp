@@ -39,9 +39,9 @@ struct ArrivalTable::Building {
   std::uint64_t key(std::uint32_t node, const FloorTransform& end) const {
     // Ends lie within the reach of the node on all sides.
     const Vec2 cell = (end.translation + Vec2::Constant(2.0 * params.reachMetres)) / params.cellMetres;
-    const auto turn = static_cast<std::uint64_t>(quarterTurns(end.heading) * 0.25 * params.headingCells);
-    const auto x = static_cast<std::uint64_t>(cell.x());
-    const auto z = static_cast<std::uint64_t>(cell.y());
+    const std::uint64_t turn = keyPart(quarterTurns(end.heading) * 0.25 * params.headingCells);
+    const std::uint64_t x = keyPart(cell.x());
+    const std::uint64_t z = keyPart(cell.y());
     return ((node * 0x4000ULL + x) * 0x4000ULL + z) * 0x100ULL + turn;
   }
 

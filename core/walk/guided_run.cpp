@@ -280,10 +280,9 @@ double GuidedRun::costToGo(const State& state) {
 
 std::uint64_t GuidedRun::key(const State& state) const {
   const Vec2& at = state.placement.translation;
-  const auto x = static_cast<std::uint64_t>(at.x() / stage_.cellMetres);
-  const auto z = static_cast<std::uint64_t>(at.y() / stage_.cellMetres);
-  const auto turn =
-      static_cast<std::uint64_t>(quarterTurns(state.placement.heading) * 0.25 * stage_.headingCells);
+  const std::uint64_t x = keyPart(at.x() / stage_.cellMetres);
+  const std::uint64_t z = keyPart(at.y() / stage_.cellMetres);
+  const std::uint64_t turn = keyPart(quarterTurns(state.placement.heading) * 0.25 * stage_.headingCells);
   // 20 bits for the node, 14 each for the place, 6 for the heading, and 10 for the time where that matters.
   const std::uint64_t time = timed_ ? (state.frame / kFramesTogether) % 0x400U : 0;
   return (((state.node * 0x4000ULL + x) * 0x4000ULL + z) * 0x40ULL + turn) * 0x400ULL + time;

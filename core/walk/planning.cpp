@@ -16,6 +16,9 @@
 namespace stridegraph {
 namespace {
 
+/// The end of time for questions of when somebody could be somewhere: an hour at 240 frames a second.
+constexpr double kLongestWayFrames = 3600.0 * 240.0;
+
 /// How far the search may leave the walk turned from the heading asked for at the goal.
 constexpr Angle kGoalTurn = Angle::degrees(10.0);
 
@@ -168,8 +171,10 @@ class Planning::Stages {
     if (!task_.traffic.staysClearOfBodies(task_.goal.position, Traffic::kInTheEnd, near))
       return fmt::format("{} stays at the goal",
                          task_.traffic.nearestName(task_.goal.position, Traffic::kInTheEnd));
+    const double fastest = prepared_.tables.graph.fastestMetresPerFrame();
+    if (!(fastest > 0.0)) return {};  // A library that only stands: the search says so.
     const double metres = (task_.goal.position - start_.position).norm() - options_.goalRadiusMetres;
-    const double frames = std::max(metres, 0.0) / prepared_.tables.graph.fastestMetresPerFrame();
+    const double frames = std::min(std::max(metres, 0.0) / fastest, kLongestWayFrames);
     const std::uint32_t begun = turn_ ? turn_->onward.frame : 0;
     if (!task_.traffic.isNeverFree(task_.goal.position, near, begun + static_cast<std::uint32_t>(frames)))
       return {};

@@ -5,6 +5,12 @@
 
 namespace stridegraph {
 
+/// The whole part of a coordinate as a part of a key. Ways may lead out of the room, where coordinates are
+/// negative: no unsigned number takes these directly.
+inline std::uint64_t keyPart(double coordinate) {
+  return static_cast<std::uint64_t>(static_cast<std::int64_t>(coordinate));
+}
+
 /// A set of 64 bit keys, none of them ~0, by open addressing: only insertion, which is all that a closed list
 /// needs.
 class StateSet {

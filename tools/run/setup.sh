@@ -2,13 +2,15 @@
 # Installs what the project needs on Debian 12: apt packages that are missing, the sources of Dear ImGui,
 # and the npm packages of the lock file. Sourced by ./run.
 
-# What is built with, what the page is built with, and what tests, clang-tidy and measuring use.
+# What is built with, what the page is built with, and what tests, clang-tidy, fuzzing and
+# measuring use.
 nativePackages=(
   g++ cmake ninja-build ccache libeigen3-dev libfmt-dev libexpected-dev nlohmann-json3-dev libfast-float-dev
   libflatbuffers-dev flatbuffers-compiler libtinygltf-dev libstb-dev libcli11-dev libgtest-dev)
 webPackages=(emscripten fonts-inter xz-utils)
 testPackages=(chromium clang-format shellcheck python3-numpy)
-tidyPackages=(clang-tidy)
+tidyPackages=(clang-tidy clang-tools)
+fuzzPackages=(clang llvm libclang-rt-14-dev)
 benchPackages=(libbenchmark-dev)
 
 # asRoot COMMAND...: as root, through sudo where needed.

@@ -381,6 +381,8 @@ TEST(LibraryBuilder, refusesNumbersThatAreNone) {
   std::vector<BvhDocument> documents = threeWalks();
   documents[2].clip.rootPositions[7].x() = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(describe(errorOf(documents)), "right: the root's position in frame 7 is not finite");
+  documents[2].clip.rootPositions[7].x() = -2e6;
+  EXPECT_EQ(describe(errorOf(documents)), "right: the root's position in frame 7 is more than 1000000 m");
   documents = threeWalks();
   documents[2].clip.rotationsOf(3)[6] = Quat(0, 0, 0, 0);
   EXPECT_EQ(describe(errorOf(documents)),

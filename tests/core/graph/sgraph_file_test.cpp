@@ -195,6 +195,28 @@ TEST(Sgraph, refusesLibrariesThatAreNotSound) {
   EXPECT_EQ(refusalOf(library), start + "an empty graph");
 }
 
+TEST(Sgraph, refusesLengthsThatNoBodyHas) {
+  const std::string start = "the motion library is not sound: ";
+  MotionLibrary library = sample();
+  library.skeleton.joints[3].offset.y() = -1e30;
+  EXPECT_EQ(refusalOf(library), start + "the offset of joint leftFoot is more than 1000000 m");
+  library = sample();
+  library.frames.rootPositions[5].z() = 1e30;
+  EXPECT_EQ(refusalOf(library), start + "the root's position in frame 5 is more than 1000000 m");
+}
+
+TEST(Sgraph, givesNamesAsUtf8WhateverWroteTheFile) {
+  MotionLibrary library = sample();
+  library.license = "gemessen f\xfcr alle";
+  library.skeleton.joints[3].name = "linker_Fu\xdf";
+  library.clips[0].name = "vorw\xe4rts";
+  const Result<MotionLibrary> read = readSgraph(writeSgraph(library));
+  ASSERT_TRUE(read.has_value()) << read.error().message;
+  EXPECT_EQ(read->license, "gemessen f\xc3\xbcr alle");
+  EXPECT_EQ(read->skeleton.joints[3].name, "linker_Fu\xc3\x9f");
+  EXPECT_EQ(read->clips[0].name, "vorw\xc3\xa4rts");
+}
+
 TEST(Sgraph, refusesGraphsWithDeadEnds) {
   MotionLibrary library = sample();
   library.graph.nodes.push_back(FrameIndex(std::size_t{239}));

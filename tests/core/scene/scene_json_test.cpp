@@ -259,6 +259,24 @@ TEST(SceneJson, checksScenesMadeInCode) {
   EXPECT_EQ(checkScene(scene).error().message, "walkers[0].goal.z: found inf, expected a finite number");
 }
 
+TEST(SceneJson, refusesPlacesSizesAndTimesBeyondAnyRoom) {
+  const auto refused = [](const auto& change) {
+    Scene scene = *readSceneJson(kValid);
+    change(scene);
+    const Result<void> checked = checkScene(scene);
+    return checked ? std::string("taken") : checked.error().message;
+  };
+  EXPECT_EQ(refused([](Scene& scene) { scene.goal.position.x() = -1e300; }),
+            "goal.x: found -1e+300, expected a number from -1000000 to 1000000");
+  EXPECT_EQ(refused([](Scene& scene) { scene.obstacles[0].centre.y() = 1.1e6; }),
+            "obstacles[0].z: found 1100000, expected a number from -1000000 to 1000000");
+  EXPECT_EQ(refused([](Scene& scene) { scene.obstacles[0].size.x() = 1e18; }),
+            "obstacles[0].width: found 1e+18, expected a number from 0 to 1000000");
+  EXPECT_EQ(refused([](Scene& scene) { scene.moving[0].track[0].seconds = -1e9; }),
+            "moving[0].track[0].t: found -1000000000, expected a number from -1000000 to 1000000");
+  EXPECT_EQ(refused([](Scene& scene) { scene.start.position = {1e6, -1e6}; }), "taken");
+}
+
 TEST(SceneJson, readsEverySampleSceneAndWritesItAsItStands) {
   int count = 0;
   for (const auto& entry : std::filesystem::directory_iterator(STRIDEGRAPH_SAMPLE_SCENES)) {

@@ -170,5 +170,17 @@ TEST(SceneLink, refusesScenesThatBreakTheRules) {
   EXPECT_FALSE(decodeLink(encodeLink(shared)));
 }
 
+TEST(SceneLink, refusesNamesThatAreNotUtf8) {
+  SharedScene shared = sharedHall();
+  shared.scene.name =
+      "Gr\xfc\xdf"
+      "e";
+  EXPECT_EQ(decodeLink(encodeLink(shared)).error().message,
+            "the link is damaged: found a name that is not UTF-8, expected the whole link as it was copied");
+  shared = sharedHall();
+  shared.search = "\xff";
+  EXPECT_FALSE(decodeLink(encodeLink(shared)));
+}
+
 }  // namespace
 }  // namespace stridegraph

@@ -22,6 +22,12 @@ TEST(SearchHeap, popsByValueAndThenById) {
   EXPECT_TRUE(heap.empty());
 }
 
+TEST(StateSet, hasKeyPartsForPlacesOutsideOfTheRoom) {
+  EXPECT_EQ(keyPart(3.9), 3U);
+  EXPECT_EQ(keyPart(-1.4), ~std::uint64_t{0});
+  EXPECT_NE(keyPart(-2.0), keyPart(-1.0));
+}
+
 TEST(StateSet, agreesWithASetOfTheStandardLibraryWhileItGrows) {
   StateSet states;
   std::set<std::uint64_t> reference;
