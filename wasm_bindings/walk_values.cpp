@@ -62,7 +62,7 @@ std::vector<Vec2> roadmapEnds(const Plan& plan) {
 
 val jointValue(const Joint& joint) {
   val value = val::object();
-  value.set("name", joint.name);
+  value.set("name", textValue(joint.name));
   value.set("parent", joint.parent ? static_cast<double>(joint.parent->value) : -1.0);
   value.set("isEndSite", joint.isEndSite);
   val offset = val::array();
@@ -73,7 +73,7 @@ val jointValue(const Joint& joint) {
 
 Joint jointFrom(const val& value) {
   Joint joint;
-  joint.name = value["name"].as<std::string>();
+  joint.name = textFrom(value["name"]);
   const double parent = value["parent"].as<double>();
   if (parent >= 0) joint.parent = JointIndex(static_cast<std::size_t>(parent));
   joint.isEndSite = value["isEndSite"].as<bool>();
@@ -157,7 +157,7 @@ val stillPartValue(const BvhStillPart& still) {
     for (const double part : {q.w(), q.x(), q.y(), q.z()}) rotation.call<void>("push", part);
     value.set("rotation", rotation);
     value.set("channels", channelsValue(entry.channels));
-    value.set("endSiteName", entry.endSiteName);
+    value.set("endSiteName", textValue(entry.endSiteName));
     joints.call<void>("push", value);
   }
   val value = val::object();
@@ -176,7 +176,7 @@ BvhStillPart stillPartFrom(const val& value) {
     still.joints.push_back({jointFrom(entry),
                             {part(0), part(1), part(2), part(3)},
                             channelsFrom(entry["channels"]),
-                            entry["endSiteName"].as<std::string>()});
+                            textFrom(entry["endSiteName"])});
   }
   still.before = static_cast<std::size_t>(value["before"].as<double>());
   still.holder = static_cast<std::size_t>(value["holder"].as<double>());
@@ -197,13 +197,10 @@ ExportedSkeleton readSkeleton(const val& value) {
   const auto channels = emscripten::vecFromJSArray<val>(value["channels"]);
   for (std::size_t i = 0; i < joints.size(); ++i) {
     exported.skeleton.joints.push_back(jointFrom(joints[i]));
-    std::vector<BvhChannel> channelsOfJoint;
-    for (const int channel : emscripten::vecFromJSArray<int>(channels[i])) {
-      channelsOfJoint.push_back(static_cast<BvhChannel>(channel));
-    }
-    exported.layout.channels.push_back(std::move(channelsOfJoint));
+    exported.layout.channels.push_back(channelsFrom(channels[i]));
   }
-  exported.layout.endSiteNames = emscripten::vecFromJSArray<std::string>(value["endSiteNames"]);
+  for (const val& name : emscripten::vecFromJSArray<val>(value["endSiteNames"]))
+    exported.layout.endSiteNames.push_back(textFrom(name));
   exported.layout.unitsPerMetre = value["unitsPerMetre"].as<double>();
   exported.layout.up = static_cast<UpAxis>(value["up"].as<int>());
   exported.body = readBody(value["body"]);
@@ -227,27 +224,27 @@ Clip readClip(const val& value, std::size_t jointCount) {
 
 }  // namespace
 
-val skeletonValue(const MotionLibrary& library) {
-  const Skeleton& skeleton = library.skeleton;
-  const BvhLayout& layout = library.layout;
+val jointValues(const Skeleton& skeleton) {
   val joints = val::array();
   for (const Joint& joint : skeleton.joints) joints.call<void>("push", jointValue(joint));
+  return joints;
+}
+
+val skeletonValue(const MotionLibrary& library) {
+  const BvhLayout& layout = library.layout;
   val channels = val::array();
-  for (const auto& channelsOfJoint : layout.channels) {
-    val list = val::array();
-    for (const BvhChannel channel : channelsOfJoint) list.call<void>("push", static_cast<int>(channel));
-    channels.call<void>("push", list);
-  }
+  for (const auto& channelsOfJoint : layout.channels)
+    channels.call<void>("push", channelsValue(channelsOfJoint));
   val endSiteNames = val::array();
-  for (const std::string& name : layout.endSiteNames) endSiteNames.call<void>("push", name);
+  for (const std::string& name : layout.endSiteNames) endSiteNames.call<void>("push", textValue(name));
 
   val value = val::object();
-  value.set("joints", joints);
+  value.set("joints", jointValues(library.skeleton));
   value.set("channels", channels);
   value.set("endSiteNames", endSiteNames);
   value.set("unitsPerMetre", layout.unitsPerMetre);
   value.set("up", static_cast<int>(layout.up));
-  value.set("body", bodyValue(roundBody(skeleton, library.frames)));
+  value.set("body", bodyValue(roundBody(library.skeleton, library.frames)));
   value.set("still", stillPartValue(layout.still));
   return value;
 }
@@ -255,7 +252,7 @@ val skeletonValue(const MotionLibrary& library) {
 val planValue(const Skeleton& skeleton, const Plan& plan) {
   val value = val::object();
   value.set("status", std::string(planStatusName(plan.report.status)));
-  value.set("report", toJson(plan));
+  value.set("report", textValue(toJson(plan)));
   value.set("kept", plan.kept);
   value.set("fps", plan.walk.framesPerSecond);
   value.set("frames", static_cast<double>(plan.walk.frameCount()));
@@ -275,7 +272,8 @@ val planValue(const Skeleton& skeleton, const Plan& plan) {
 
 val walkToBvh(const val& skeleton, const val& walk) {
   const ExportedSkeleton exported = readSkeleton(skeleton);
-  return succeed(val(writeBvh(exported.skeleton, exported.layout, readClip(walk, exported.skeleton.size()))));
+  return succeed(
+      textValue(writeBvh(exported.skeleton, exported.layout, readClip(walk, exported.skeleton.size()))));
 }
 
 val walksToGlb(const val& skeleton, const val& walks) {

@@ -14,6 +14,9 @@ namespace stridegraph::bindings {
 /// part of the body: of either end joint, offset and radius.
 emscripten::val skeletonValue(const MotionLibrary& library);
 
+/// An array of Joint of stridegraph.d.ts.
+emscripten::val jointValues(const Skeleton& skeleton);
+
 /// A plan as plain values: {status, report (JSON text), fps, frames, rootPositions (Float64Array, frames x
 /// 3), rotations (Float64Array, frames x joints x w, x, y, z), positions (Float32Array, frames x joints x 3,
 /// world, metres), blended (Uint8Array), contacts (Uint8Array), path, subgoals, roadmap (Float32Array of x,
