@@ -11,6 +11,7 @@
 #include "state/app_state.h"
 #include "state/commands.h"
 #include "ui/input.h"
+#include "ui/lettering.h"
 #include "ui/view_input.h"
 
 namespace stridegraph {
@@ -24,6 +25,7 @@ struct AppHost {
   std::function<void(const std::string&)> copyText;
   std::function<std::string()> pasteText;
   std::function<void(Cursor)> setCursor;
+  DrawText drawText;  ///< May be empty: text beyond the font is then shown as question marks.
 };
 
 /// One frame as the driver wants it.
@@ -56,6 +58,7 @@ class App {
   const AppState& state() const { return state_; }
   /// What the library's skeleton wears.
   const RoundBody& body() const { return body_; }
+  const Lettering& lettering() const { return lettering_; }
   /// Where a place of the room is on screen, in points; empty behind the eye.
   std::optional<Vec2> shownAt(const Vec3& place) const;
 
@@ -78,6 +81,7 @@ class App {
   InputState input_;
   ViewInput viewInput_;
   std::vector<unsigned char> fontFile_;
+  Lettering lettering_;
   FrameRequest shown_;
   RoundBody body_;
   std::vector<Footprint> footprints_;
