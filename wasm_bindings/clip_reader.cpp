@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "js_values.h"
-#include "motion/bvh_conventions.h"
+#include "motion/body_evidence.h"
 #include "options.h"
 #include "walk_values.h"
 

@@ -110,6 +110,10 @@ val LibraryHandle::skeleton() const {
   return skeletonValue(library());
 }
 
+val LibraryHandle::notes() const {
+  return warningList(library().notes);
+}
+
 val LibraryHandle::toBytes() const {
   const std::vector<std::uint8_t> bytes = writeSgraph(library());
   return copyOut<std::uint8_t>(bytes);

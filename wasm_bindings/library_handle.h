@@ -26,6 +26,8 @@ class LibraryHandle {
   emscripten::val info() const;
   /// See skeletonValue.
   emscripten::val skeleton() const;
+  /// See warningList.
+  emscripten::val notes() const;
   /// .sgraph bytes as a Uint8Array.
   emscripten::val toBytes() const;
 

@@ -78,6 +78,16 @@ val decode(const val& fragment) {
   return succeed(value);
 }
 
+/// {value: {warnings}}, see SceneInspection in stridegraph.d.ts.
+val inspectScene(const val& sceneText) {
+  Warnings notes;
+  const Result<Scene> scene = readSceneJson(textFrom(sceneText), "scene", &notes);
+  if (!scene) return refuse(scene.error());
+  val value = val::object();
+  value.set("warnings", warningList(notes));
+  return succeed(value);
+}
+
 }  // namespace
 
 EMSCRIPTEN_BINDINGS(stridegraph) {
@@ -89,6 +99,7 @@ EMSCRIPTEN_BINDINGS(stridegraph) {
       .function("startReplan", &LibraryHandle::startReplan)
       .function("info", &LibraryHandle::info)
       .function("skeleton", &LibraryHandle::skeleton)
+      .function("notes", &LibraryHandle::notes)
       .function("toBytes", &LibraryHandle::toBytes);
   class_<PlanHandle>("Plan")
       .smart_ptr<std::shared_ptr<PlanHandle>>("PlanPointer")
@@ -106,6 +117,7 @@ EMSCRIPTEN_BINDINGS(stridegraph) {
       .function("framePairs", &BuilderHandle::framePairs)
       .function("finish", &BuilderHandle::finish);
   function("inspectClip", &inspectClip);
+  function("inspectScene", &inspectScene);
   function("walkToBvh", &walkToBvh);
   function("walksToGlb", &walksToGlb);
   function("encodeLink", &encode);

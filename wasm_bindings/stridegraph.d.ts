@@ -339,6 +339,11 @@ export interface ClipInspection {
   warnings: Warning[]
 }
 
+/** What is odd about a scene that can be used. */
+export interface SceneInspection {
+  warnings: Warning[]
+}
+
 export interface BuildOptions extends ReadingOptions {
   /** Largest distance along a transition, metres per joint; 0.05 when missing. */
   threshold?: number
@@ -433,6 +438,8 @@ export interface Stridegraph {
   openLibrary(bytes: ArrayBuffer | ArrayBufferView): Library
   /** Reads a clip without building anything: what it holds, and what to ask about before building. */
   inspectClip(clip: BvhClip, options?: ReadingOptions): ClipInspection
+  /** Reads a scene without planning anything: which of its members are misspelt, unknown or given twice. */
+  inspectScene(scene: Scene | string): SceneInspection
   /** Builds a library at once. */
   buildLibrary(clips: BvhClip[], options?: BuildOptions): Library
   /** Builds a library step by step, under the caller's control. */

@@ -70,7 +70,7 @@ class Library {
     this.#handle = new Handle(module, raw, 'library')
     this.#info = raw.info()
     this.#skeleton = raw.skeleton()
-    this.#notes = buildReport?.warnings ?? []
+    this.#notes = raw.notes()
     this.buildReport = buildReport
   }
 
@@ -290,6 +290,10 @@ class Stridegraph {
 
   inspectClip(clip, options) {
     return unpack(this.#module.inspectClip(clipOf(this.#module, 'the clip', clip), options))
+  }
+
+  inspectScene(scene) {
+    return unpack(this.#module.inspectScene(sceneTextOf(this.#module, scene)))
   }
 
   startBuild(clips, options) {

@@ -165,7 +165,7 @@ EMSCRIPTEN_KEEPALIVE const char* sgOpenLibrary(const std::uint8_t* bytes, std::s
 /// What the open library is made of, as JSON (state/library_json.h).
 EMSCRIPTEN_KEEPALIVE const char* sgLibrary() {
   const std::shared_ptr<const MotionLibrary>& library = page().app->state().library;
-  return answer(library ? toJson(*library, Warnings()) : "null");
+  return answer(library ? toJson(*library) : "null");
 }
 /// The open library as an .sgraph file; an empty file without one.
 EMSCRIPTEN_KEEPALIVE const std::uint8_t* sgLibraryFile() {
@@ -177,7 +177,7 @@ EMSCRIPTEN_KEEPALIVE const std::uint8_t* sgLibraryFile() {
 /// Opens a scene from the bytes of its file.
 EMSCRIPTEN_KEEPALIVE const char* sgOpenScene(const char* bytes, std::size_t size, const char* name) {
   Warnings notes;
-  const Result<Scene> scene = readSceneJson({bytes, size}, name);
+  const Result<Scene> scene = readSceneJson({bytes, size}, name, &notes);
   if (!scene) return answerError(scene.error());
   page().sceneNotes = std::move(notes);
   page().app->openScene(*scene, std::string("Open ") + name);

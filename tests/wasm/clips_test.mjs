@@ -173,6 +173,25 @@ describe('files in other encodings', () => {
   })
 })
 
+describe('inspectScene', () => {
+  it('names members that have no effect', async () => {
+    const { warnings } = engine.inspectScene((await caseBytes('misspelt_members.json')).toString())
+    assert.ok(warnings.every(({ topic }) => topic === 'scene'))
+    for (const member of ['heading', 'constraint']) {
+      assert.ok(
+        warnings.some(({ message }) => message.includes(`"${member}"`)),
+        member,
+      )
+    }
+    assert.deepEqual(engine.inspectScene(smallRoom()).warnings, [])
+  })
+
+  it('refuses what is no scene', () => {
+    assert.equal(refusalOf(() => engine.inspectScene('{')).code, 'scene_syntax')
+    assert.equal(refusalOf(() => engine.inspectScene({})).code, 'scene_value')
+  })
+})
+
 describe('notes of a library', () => {
   it('are what was odd about its files, and stay with it', async () => {
     const name = 'one_frame_more.bvh'

@@ -29,6 +29,7 @@ describe('stridegraph.d.ts', () => {
       'encodeLink',
       'errorCodes',
       'inspectClip',
+      'inspectScene',
       'memory',
       'openLibrary',
       'startBuild',

@@ -37,6 +37,7 @@ export async function useEverything(bytes: ArrayBuffer, signal: AbortSignal): Pr
   const file = { name: 'walk.bvh', bytes, up: 'z' as const }
   const { doubts, joints, heightMetres }: ClipInspection = sg.inspectClip(file, { units: 'auto' })
   console.log(doubts.includes('unit'), joints[0]?.name, heightMetres, mine.notes[0]?.topic)
+  console.log(sg.inspectScene(scene).warnings[0]?.message)
   const build = sg.startBuild([clip, file], { units: 0.01 })
   while (build.step()) console.log(build.progress)
   build.finish().delete()

@@ -31,7 +31,7 @@ std::string toJson(const Warnings& warnings) {
   return dumped(jsonOf(warnings));
 }
 
-std::string toJson(const MotionLibrary& library, const Warnings& notes) {
+std::string toJson(const MotionLibrary& library) {
   nlohmann::json clips = nlohmann::json::array();
   for (const LibraryClip& clip : library.clips)
     clips.push_back({{"name", clip.name}, {"frames", clip.frameCount}, {"mirrored", clip.mirrored}});
@@ -41,7 +41,7 @@ std::string toJson(const MotionLibrary& library, const Warnings& notes) {
                  {"transitions", library.graph.transitionCount()},
                  {"license", library.license},
                  {"clips", clips},
-                 {"notes", jsonOf(notes)}});
+                 {"notes", jsonOf(library.notes)}});
 }
 
 }  // namespace stridegraph

@@ -12,6 +12,6 @@ std::string toJson(const Warnings& warnings);
 
 /// What a library is made of, as a JSON object: hash, fps, frames, transitions, license, clips (an array of
 /// {name, frames, mirrored}) and notes (toJson(Warnings)).
-std::string toJson(const MotionLibrary& library, const Warnings& notes);
+std::string toJson(const MotionLibrary& library);
 
 }  // namespace stridegraph
