@@ -293,15 +293,20 @@ class Planning::Stages {
     moveRoots(made.placements, plan.way, made.clip);
     if (options_.footCleanup) cleanFeet(made, report);
     if (turn_) fadeFrom(task_.underWay->walk, task_.frame, made.clip);
+    keepWalk(std::move(made), plan);
+    report.synthesisMilliseconds = watch.elapsed();
+  }
+
+  /// Measures a walk that is made and moves it into the plan.
+  void keepWalk(SynthesisedWalk made, Plan& plan) const {
     // Seams join clips whose quaternions may differ by the sign, and headings are known up to whole turns.
     makeSignsContinuous(made.clip);
     measurePlan({library_, prepared_.tables.graph, prepared_.sources, task_.floor, scene_, task_.goal,
                  options_, plan.motion, made.clip, task_.traffic},
-                report);
+                plan.report);
     plan.walk = std::move(made.clip);
     plan.frameKinds = std::move(made.frameKinds);
     plan.contacts = std::move(made.contacts);
-    report.synthesisMilliseconds = watch.elapsed();
   }
 
   void makeSteps(Plan& plan) const {
@@ -314,13 +319,8 @@ class Planning::Stages {
     report.status = PlanStatus::kArrived;
     report.smallSteps = steps_->plan.steps.size();
     report.contacts = report.smallSteps + 2;
-    measurePlan({library_, prepared_.tables.graph, prepared_.sources, task_.floor, scene_, task_.goal,
-                 options_, plan.motion, made.clip, task_.traffic},
-                report);
+    keepWalk(std::move(made), plan);
     addStepNote(report);
-    plan.walk = std::move(made.clip);
-    plan.frameKinds = std::move(made.frameKinds);
-    plan.contacts = std::move(made.contacts);
     report.synthesisMilliseconds = watch.elapsed();
   }
 
