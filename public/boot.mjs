@@ -69,13 +69,15 @@ async function start() {
   const dark = matchMedia('(prefers-color-scheme: dark)').matches
   bridge.start({ playsAtOnce: !reduced, dark })
   if (font.length > 0) bridge.setFont(font)
-  bridge.openLibrary(library)
+  bridge.openLibrary(library, 'assets/default.sgraph')
   connectInput(canvas, bridge)
   await connectMenu(bridge, { dark })
   bridge.run()
   globalThis.stridegraphApp = Object.freeze({
     state: () => bridge.state(),
     pointOf: (x, z) => bridge.pointOf(x, z),
+    library: () => bridge.library(),
+    lettering: () => bridge.lettering(),
   })
   loading.classList.add('done')
   canvas.focus({ preventScroll: true })

@@ -1,5 +1,7 @@
 // The one place that calls into the app's WebAssembly. Texts and bytes are copied at this border.
 
+import { drawText } from './lettering.mjs'
+
 const CURSORS = [
   'default',
   'pointer',
@@ -27,6 +29,7 @@ export class AppBridge {
       showStatus: (text) => this.#onStatus(text),
       copyText: (text) => navigator.clipboard?.writeText(text).catch(() => {}),
       pasteText: () => this.#pasted,
+      drawText,
       setCursor: (cursor) => {
         this.#canvas.style.cursor = CURSORS[cursor] ?? 'default'
       },
@@ -48,13 +51,19 @@ export class AppBridge {
 
   /** Hands bytes over for the time of one call. */
   #withBytes(bytes, call) {
-    const address = this.#app._malloc(bytes.length)
+    const address = this.#app._malloc(Math.max(bytes.length, 1))
+    if (!address) throw new Error(`${bytes.length} bytes are more than the browser gives memory for.`)
     this.#app.HEAPU8.set(bytes, address)
     try {
       return call(address, bytes.length)
     } finally {
       this.#app._free(address)
     }
+  }
+
+  /** Hands a text over as UTF-8 that ends in 0, on the heap: the stack has no room for long ones. */
+  #withText(text, call) {
+    return this.#withBytes(new TextEncoder().encode(`${text.replaceAll('\0', '\ufffd')}\0`), call)
   }
 
   start({ playsAtOnce, dark }) {
@@ -70,19 +79,34 @@ export class AppBridge {
     this.#withBytes(bytes, (address, size) => this.#do('sgSetFont', ['number', 'number'], [address, size]))
   }
 
-  openLibrary(bytes) {
+  openLibrary(bytes, name) {
     const problem = this.#withBytes(bytes, (address, size) =>
       this.#text('sgOpenLibrary', ['number', 'number'], [address, size]),
     )
-    if (problem) throw new Error(problem)
+    if (problem) throw new Error(`${name}: ${problem}`)
+  }
+  /** What it is made of, and the notes on its files. */
+  library() {
+    return JSON.parse(this.#text('sgLibrary'))
+  }
+  libraryBytes() {
+    return this.#file('sgLibraryFile')
   }
 
-  /** Each answers an empty text, or a sentence that says why nothing changed. */
-  openScene(text, name) {
-    return this.#text('sgOpenScene', ['string', 'string'], [text, name])
+  /** Each answers an empty text, or a sentence that says why nothing changed. A scene is the bytes of its file. */
+  openScene(bytes, name) {
+    return this.#withBytes(bytes, (address, size) =>
+      this.#withText(name, (text) =>
+        this.#text('sgOpenScene', ['number', 'number', 'number'], [address, size, text]),
+      ),
+    )
   }
   openLink(fragment) {
-    return this.#text('sgOpenLink', ['string'], [fragment])
+    return this.#withText(fragment, (text) => this.#text('sgOpenLink', ['number'], [text]))
+  }
+  /** What was odd about the scene file that was opened last. */
+  sceneNotes() {
+    return JSON.parse(this.#text('sgSceneNotes'))
   }
 
   link() {
@@ -93,6 +117,10 @@ export class AppBridge {
   }
   pointOf(x, z) {
     return JSON.parse(this.#text('sgPointOf', ['number', 'number'], [x, z]))
+  }
+  /** Which texts the app can show: whether some are still to be drawn, and those that nobody can draw. */
+  lettering() {
+    return JSON.parse(this.#text('sgLettering'))
   }
   state() {
     return JSON.parse(this.#text('sgState'))
@@ -114,7 +142,7 @@ export class AppBridge {
   }
 
   say(text, problem = false) {
-    this.#do('sgSay', ['string', 'number'], [text, problem ? 1 : 0])
+    this.#withText(text, (address) => this.#do('sgSay', ['number', 'number'], [address, problem ? 1 : 0]))
   }
   setDark(dark) {
     this.#do('sgSetDark', ['number'], [dark ? 1 : 0])

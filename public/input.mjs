@@ -158,7 +158,7 @@ function connectKeys(canvas, bridge) {
       bridge.key(index, true, modifiers)
       held.add(index)
     }
-    const isText = event.key.length === 1 && !event.ctrlKey && !event.metaKey
+    const isText = [...event.key].length === 1 && !event.ctrlKey && !event.metaKey
     if (isText) bridge.text(event.key.codePointAt(0), modifiers)
     const pastes = (event.ctrlKey || event.metaKey) && event.key.toLowerCase() === 'v'
     if ((index >= 0 || isText) && !pastes) event.preventDefault()

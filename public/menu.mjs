@@ -1,5 +1,7 @@
 // The bar above the view: samples, files, sharing, downloads, appearance.
-import { buildLibrary } from './library_builder.mjs'
+import { connectDownloads } from './downloads.mjs'
+import { FileOpener, connectFiles } from './files.mjs'
+import { LibraryView } from './library_view.mjs'
 
 const by = (id) => document.getElementById(id)
 
@@ -13,36 +15,6 @@ const NEW_SCENE = {
   goal: { x: 10, z: 4.5, heading_deg: 90 },
 }
 
-function download(bytes, name, type) {
-  const address = URL.createObjectURL(new Blob([bytes], { type }))
-  const anchor = document.createElement('a')
-  anchor.href = address
-  anchor.download = name
-  anchor.click()
-  setTimeout(() => URL.revokeObjectURL(address), 10_000)
-}
-
-/** A file name made of the scene's name and an ending. */
-function fileName(bridge, ending) {
-  const name = bridge.state().scene.name || 'scene'
-  return `${
-    name
-      .toLowerCase()
-      .replace(/[^a-z0-9]+/g, '_')
-      .replace(/^_+|_+$/g, '') || 'scene'
-  }${ending}`
-}
-
-/** BVH holds one body: further walkers' files follow, named as the program names them. */
-function downloadBvh(bridge) {
-  const count = 1 + (bridge.state().scene.walkers?.length ?? 0)
-  for (let walker = 0; walker < count; ++walker) {
-    const bytes = bridge.walkBvh(walker)
-    const ending = walker === 0 ? '.bvh' : `_${walker + 1}.bvh`
-    if (bytes.length > 0) download(bytes, fileName(bridge, ending), 'text/plain')
-  }
-}
-
 async function loadSamples(bridge) {
   const response = await fetch('scenes/index.json')
   if (!response.ok) throw new Error(`scenes/index.json cannot be loaded (status ${response.status}).`)
@@ -52,7 +24,7 @@ async function loadSamples(bridge) {
   const open = async (file) => {
     const answer = await fetch(`scenes/${file}`)
     if (!answer.ok) return bridge.say(`The sample ${file} cannot be loaded (status ${answer.status}).`, true)
-    const problem = bridge.openScene(await answer.text(), file)
+    const problem = bridge.openScene(new Uint8Array(await answer.arrayBuffer()), file)
     if (problem) bridge.say(problem, true)
   }
   menu.addEventListener('change', () => open(menu.value))
@@ -94,51 +66,10 @@ function connectSharing(bridge) {
   by('share-close').addEventListener('click', () => dialog.close())
 }
 
-async function openFiles(bridge, files) {
-  const clips = files.filter((file) => /\.bvh$/i.test(file.name))
-  if (clips.length > 0) return buildLibrary(bridge, clips)
-  const [file] = files
-  if (!file) return
-  if (/\.sgraph$/i.test(file.name)) {
-    bridge.openLibrary(new Uint8Array(await file.arrayBuffer()))
-    return bridge.say(`${file.name} is the library now.`)
-  }
-  const problem = bridge.openScene(await file.text(), file.name)
-  if (problem) return bridge.say(problem, true)
-  by('samples').selectedIndex = 0
-}
-
-function connectFiles(bridge) {
-  const input = by('file')
-  const open = (files) => openFiles(bridge, files).catch((problem) => bridge.say(problem.message, true))
+function connectNew(bridge) {
   by('new').addEventListener('click', () => {
-    bridge.openScene(JSON.stringify(NEW_SCENE), 'new room')
+    bridge.openScene(new TextEncoder().encode(JSON.stringify(NEW_SCENE)), 'new room')
     by('samples').selectedIndex = 0
-  })
-  by('open').addEventListener('click', () => input.click())
-  input.addEventListener('change', () => {
-    open([...input.files])
-    input.value = ''
-  })
-  by('save').addEventListener('click', () =>
-    download(bridge.sceneJson(), fileName(bridge, '.json'), 'application/json'),
-  )
-  by('download-bvh').addEventListener('click', () => downloadBvh(bridge))
-  by('download-glb').addEventListener('click', () =>
-    download(bridge.walksGlb(), fileName(bridge, '.glb'), 'model/gltf-binary'),
-  )
-  const main = document.querySelector('main')
-  addEventListener('dragover', (event) => {
-    event.preventDefault()
-    main.classList.add('dropping')
-  })
-  addEventListener('dragleave', (event) => {
-    if (!event.relatedTarget) main.classList.remove('dropping')
-  })
-  addEventListener('drop', (event) => {
-    event.preventDefault()
-    main.classList.remove('dropping')
-    open([...event.dataTransfer.files])
   })
 }
 
@@ -169,9 +100,11 @@ export async function connectMenu(bridge, { dark }) {
   mirrorStatus(bridge)
   connectTheme(bridge, dark)
   connectSharing(bridge)
-  connectFiles(bridge)
+  connectNew(bridge)
+  connectDownloads(bridge)
+  connectFiles(new FileOpener(bridge, new LibraryView(bridge)))
   const samples = await loadSamples(bridge)
-  for (const id of ['samples', 'new', 'open', 'save', 'share']) by(id).disabled = false
+  for (const id of ['samples', 'new', 'open', 'save', 'library', 'share']) by(id).disabled = false
   if (samples.first) {
     by('samples').value = samples.first
     await samples.open(samples.first)

@@ -1,18 +1,26 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
 #include "base/hash.h"
 #include "commands.h"
-#include "files.h"
-#include "graph/sgraph_file.h"
+#include "library_file.h"
+#include "notes.h"
+#include "program/arguments.h"
+#include "program/json_document.h"
+#include "program/rounding.h"
+#include "program/shown_text.h"
 
 namespace stridegraph::tools {
 namespace {
 
-nlohmann::ordered_json toJson(const MotionLibrary& library) {
-  nlohmann::ordered_json json;
+struct InfoArguments {
+  std::string path;
+  bool asJson = false;
+};
+
+Json toJson(const MotionLibrary& library) {
+  Json json;
   json["library_hash"] = hexDigits(library.hash);
   json["license"] = library.license;
   json["joints"] = library.skeleton.size();
@@ -26,56 +34,56 @@ nlohmann::ordered_json toJson(const MotionLibrary& library) {
   json["nodes"] = library.graph.nodes.size();
   json["clip_pieces"] = library.graph.clipPieceCount();
   json["transitions"] = library.graph.transitionCount();
-  json["clips"] = nlohmann::ordered_json::array();
+  json["clips"] = Json::array();
   for (const LibraryClip& clip : library.clips) {
     json["clips"].push_back({{"name", clip.name},
                              {"first_frame", clip.firstFrame},
                              {"frames", clip.frameCount},
                              {"mirrored", clip.mirrored}});
   }
+  json["notes"] = notesJson(library.notes);
   return json;
 }
 
-void printText(const nlohmann::ordered_json& json) {
-  for (const auto& [key, value] : json.items()) {
-    if (!value.is_array())
-      fmt::print("{:18} {}\n", key, value.is_string() ? value.get<std::string>() : value.dump());
-  }
-  for (const auto& clip : json["clips"]) {
-    fmt::print("  {:40} {:6} frames{}\n", clip["name"].get<std::string>(), clip["frames"].get<std::size_t>(),
-               clip["mirrored"].get<bool>() ? ", mirrored" : "");
-  }
+std::string textOf(const Json& value) {
+  if (value.is_string()) return value.get<std::string>();
+  return value.is_number_float() ? rounded(value.get<double>()) : value.dump();
 }
 
-int runInfo(const std::string& path, bool asJson) {
-  const auto text = readFile(path);
-  if (!text) {
-    fmt::print(stderr, "stridegraph info: {}\n", describe(text.error()));
-    return kWrongUse;
+void printText(const Json& json, const Warnings& notes) {
+  for (const auto& [key, value] : json.items()) {
+    if (!value.is_array()) printLine(stdout, fmt::format("{:18} {}", key, textOf(value)));
   }
-  const auto library = readSgraph(bytesOf(*text));
+  for (const auto& clip : json["clips"]) {
+    printLine(stdout, fmt::format("  {:40} {:6} frames{}", shownText(clip["name"].get<std::string>()),
+                                  clip["frames"].get<std::size_t>(),
+                                  clip["mirrored"].get<bool>() ? ", mirrored" : ""));
+  }
+  for (const Warning& note : notes) printLine(stdout, fmt::format("note: {}", shownText(describe(note))));
+}
+
+int runInfo(const InfoArguments& arguments) {
+  const auto library = readLibraryFile(arguments.path);
   if (!library) {
-    fmt::print(stderr, "stridegraph info: {}: {}\n", path, describe(library.error()));
+    complain("stridegraph info", describe(library.error()));
     return kWrongUse;
   }
-  const nlohmann::ordered_json json = toJson(*library);
-  if (asJson) {
-    fmt::print("{}\n", json.dump(1));
-  } else {
-    printText(json);
-  }
+  const Json json = toJson(*library);
+  if (arguments.asJson)
+    print(stdout, documentText(json));
+  else
+    printText(json, library->notes);
   return kDone;
 }
 
 }  // namespace
 
-void addInfoCommand(CLI::App& program, int& exitCode) {
-  CLI::App* command = program.add_subcommand("info", "Say what is in a library");
-  auto path = std::make_shared<std::string>();
-  auto asJson = std::make_shared<bool>(false);
-  command->add_option("library", *path, "Library (.sgraph)")->required();
-  command->add_flag("--json", *asJson, "As JSON");
-  command->callback([path, asJson, &exitCode] { exitCode = runInfo(*path, *asJson); });
+void addInfoCommand(CLI::App& program, Job& job) {
+  CLI::App& command = *program.add_subcommand("info", "Say what is in a library");
+  auto arguments = std::make_shared<InfoArguments>();
+  addPath(command, "library", arguments->path, "FILE", "Library (.sgraph)")->required();
+  command.add_flag("--json", arguments->asJson, "As JSON, with all digits");
+  command.callback([arguments, &job] { job = [arguments] { return runInfo(*arguments); }; });
 }
 
 }  // namespace stridegraph::tools

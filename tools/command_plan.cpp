@@ -6,179 +6,178 @@
 #include <vector>
 
 #include "commands.h"
-#include "files.h"
-#include "graph/sgraph_file.h"
-#include "motion/bvh_writer.h"
-#include "motion/glb_writer.h"
+#include "library_file.h"
+#include "notes.h"
+#include "plan_arguments.h"
+#include "program/files.h"
+#include "program/json_document.h"
+#include "program/progress.h"
+#include "program/shown_text.h"
 #include "scene/scene_json.h"
 #include "walk/walk_planner.h"
+#include "walk_files.h"
 #include "wall_clock.h"
 
 namespace stridegraph::tools {
 namespace {
 
-struct PlanArguments {
-  std::string graphPath;
-  std::string scenePath;
-  std::string walkPath;
-  std::string reportPath;
-  std::uint64_t seed = 0;
-  double radiusMetres = 0.0;
-  std::string planner = "prm";
-  std::string search = "guided";
-  bool movingEnds = false;
-  bool rawFeet = false;
-  PlanOptions options;
+/// A plan with what it was made from.
+struct Planned {
+  std::shared_ptr<const MotionLibrary> library;
+  std::string sceneName;
+  Plan plan;
 };
 
-Result<Plan> makePlan(const PlanArguments& arguments, std::shared_ptr<const MotionLibrary>& library) {
-  auto graphText = readFile(arguments.graphPath);
-  if (!graphText) return fail(std::move(graphText));
-  auto read = readSgraph(bytesOf(*graphText));
-  if (!read) {
-    read.error().place.file = arguments.graphPath;
-    return fail(std::move(read));
+std::vector<NamedPath> inputsOf(const PlanArguments& arguments) {
+  return {{"--graph", arguments.graphPath}, {"--scene", arguments.scenePath}};
+}
+
+std::vector<NamedPath> outputsOf(const PlanArguments& arguments, std::size_t walkers) {
+  std::vector<NamedPath> outputs = WalkFiles(arguments.walkPath).outputs(walkers);
+  if (!arguments.reportPath.empty()) outputs.push_back({"--report", arguments.reportPath});
+  return outputs;
+}
+
+Result<Scene> readScene(const PlanArguments& arguments, Warnings& notes) {
+  auto text = readFile(arguments.scenePath, kMostSceneFileBytes);
+  if (!text) return fail(std::move(text));
+  return readSceneJson(*text, shownText(arguments.scenePath), &notes);
+}
+
+/// Plans while showing progress: first by the time that a budget allows, then by what improving allows.
+Result<Plan> planWithProgress(const WalkPlanner& planner, const Scene& scene,
+                              const PlanArguments& arguments) {
+  // Some tens of milliseconds of search.
+  constexpr std::uint64_t kSlice = 20'000;
+  Progress progress("planning", arguments.isQuiet);
+  PlanOptions options = arguments.options;
+  // The search asks for the time now and then, which is when its share of the budget can be shown.
+  options.clock = [&progress, budget = options.budgetMilliseconds] {
+    if (budget > 0.0) progress.at(progress.milliseconds() / budget);
+    return millisecondsNow();
+  };
+  auto plan = planner.begin(scene, options);
+  if (!plan) return fail(std::move(plan));
+  while (!plan->isDone()) {
+    plan->step(kSlice);
+    if (options.budgetMilliseconds <= 0.0) progress.at(plan->progress());
   }
-  library = std::make_shared<const MotionLibrary>(std::move(*read));
-  auto sceneText = readFile(arguments.scenePath);
-  if (!sceneText) return fail(std::move(sceneText));
-  auto scene = readSceneJson(*sceneText, arguments.scenePath);
+  Plan best = std::move(*plan).best();
+  // The clock shows the progress of this planning alone.
+  best.options.clock = {};
+  for (Plan& other : best.others) other.options.clock = {};
+  return best;
+}
+
+/// Options that make no difference with this library, and parts of the scene that make none with these
+/// options.
+void noteWhatIsNotHeeded(const PlanArguments& arguments, const MotionLibrary& library, const Scene& scene,
+                         Warnings& notes) {
+  if (!arguments.options.footCleanup && library.contactJoints.empty()) {
+    notes.push_back(
+        {"has no effect, since the library's feet are not known", {"--raw-feet"}, WarningTopic::kOther});
+  }
+  if (arguments.options.search == SearchKind::kGuided) return;
+  if (!scene.moving.empty() || !scene.walkers.empty() || scene.constraints.any()) {
+    notes.push_back({"heeds neither what moves nor constraints, which the scene has",
+                     {fmt::format("--search {}", searchName(arguments.options.search))},
+                     WarningTopic::kScene});
+  }
+}
+
+Result<Planned> makePlan(const PlanArguments& arguments, Warnings& notes) {
+  auto library = readLibraryFile(arguments.graphPath);
+  if (!library) return fail(std::move(library));
+  auto scene = readScene(arguments, notes);
   if (!scene) return fail(std::move(scene));
-  return WalkPlanner(library).plan(*scene, arguments.options);
+  if (auto checked = checkOutputs(inputsOf(arguments), outputsOf(arguments, 1 + scene->walkers.size()));
+      !checked)
+    return fail(std::move(checked));
+  noteWhatIsNotHeeded(arguments, *library, *scene, notes);
+  auto shared = std::make_shared<const MotionLibrary>(std::move(*library));
+  auto plan = planWithProgress(WalkPlanner(shared), *scene, arguments);
+  if (!plan) return fail(std::move(plan));
+  return Planned{std::move(shared), scene->name, std::move(*plan)};
 }
 
-bool holdsAllWalks(const std::string& path) {
-  return path.ends_with(".glb");
+/// The plan's report with the scene's name and the notes.
+std::string reportText(const Planned& planned, const Warnings& notes) {
+  Json json = Json::parse(toJson(planned.plan));
+  json["scene"] = planned.sceneName;
+  json["notes"] = notesJson(notes);
+  return documentText(json);
 }
 
-/// WALK.bvh for the first walker, WALK_2.bvh, WALK_3.bvh ... for the others; WALK.glb for all.
-std::string walkPathOf(const std::string& path, std::size_t walker) {
-  if (walker == 0 || holdsAllWalks(path)) return path;
-  const std::size_t ending = path.rfind('.');
-  return fmt::format("{}_{}{}", path.substr(0, ending), walker + 1, path.substr(ending));
+Result<void> writeFiles(const PlanArguments& arguments, const Planned& planned, const Warnings& notes) {
+  OutputFiles files;
+  Result<void> added = WalkFiles(arguments.walkPath).addTo(files, *planned.library, allOf(planned.plan));
+  if (added && !arguments.reportPath.empty())
+    added = files.add(arguments.reportPath, reportText(planned, notes));
+  return added ? files.commit() : added;
 }
 
-/// The first walker's plan, then those of the others.
-std::vector<const Plan*> allOf(const Plan& plan) {
-  std::vector<const Plan*> all = {&plan};
-  for (const Plan& other : plan.others) all.push_back(&other);
-  return all;
+void printWalk(std::FILE* stream, const std::string& path, const PlanReport& report) {
+  printLine(stream,
+            fmt::format("{}: {} frames, {:.1f} s, {:.2f} m walked along a path of {:.2f} m, {} "
+                        "transitions, {:.1f} ms",
+                        shownText(path), report.frames, report.durationSeconds, report.motionLengthMetres,
+                        report.pathLengthMetres, report.transitions, report.totalMilliseconds));
 }
 
-bool arrived(const Plan& plan) {
-  return plan.report.status == PlanStatus::kArrived;
-}
-
-Result<void> writeWalks(const std::string& path, const MotionLibrary& library, const Plan& plan) {
+/// Says how each walker's plan ended; the exit code.
+int tell(const PlanArguments& arguments, const Plan& plan) {
+  const WalkFiles walks(arguments.walkPath);
   const std::vector<const Plan*> all = allOf(plan);
-  std::vector<const Clip*> together;
-  for (std::size_t walker = 0; walker < all.size(); ++walker) {
-    if (!arrived(*all[walker])) continue;
-    together.push_back(&all[walker]->walk);
-    if (holdsAllWalks(path)) continue;
-    const std::string text = writeBvh(library.skeleton, library.layout, all[walker]->walk);
-    if (Result<void> written = writeFile(walkPathOf(path, walker), text); !written) return written;
-  }
-  if (!holdsAllWalks(path) || together.empty()) return {};
-  return writeFile(path, writeGlb(library.skeleton, together));
-}
-
-Result<void> writeFiles(const PlanArguments& arguments, const MotionLibrary& library, const Plan& plan) {
-  if (Result<void> written = writeWalks(arguments.walkPath, library, plan); !written) return written;
-  if (arguments.reportPath.empty()) return {};
-  return writeFile(arguments.reportPath, toJson(plan) + "\n");
-}
-
-void printWalk(const std::string& path, const PlanReport& report) {
-  fmt::print("{}: {} frames, {:.1f} s, {:.2f} m walked along a path of {:.2f} m, {} transitions, {:.1f} ms\n",
-             path, report.frames, report.durationSeconds, report.motionLengthMetres, report.pathLengthMetres,
-             report.transitions, report.totalMilliseconds);
-}
-
-int runPlan(const PlanArguments& arguments) {
-  std::shared_ptr<const MotionLibrary> library;
-  const Result<Plan> plan = makePlan(arguments, library);
-  if (!plan) {
-    fmt::print(stderr, "stridegraph plan: {}\n", describe(plan.error()));
-    return kWrongUse;
-  }
-  if (const Result<void> written = writeFiles(arguments, *library, *plan); !written) {
-    fmt::print(stderr, "stridegraph plan: {}\n", describe(written.error()));
-    return kWrongUse;
-  }
-  const std::vector<const Plan*> all = allOf(*plan);
+  std::FILE* const stream = isStandardOutput(arguments.reportPath) ? stderr : stdout;
   int exitCode = kDone;
   for (std::size_t walker = 0; walker < all.size(); ++walker) {
     const PlanReport& report = all[walker]->report;
     const std::string who = all.size() > 1 ? fmt::format("walker {}: ", walker + 1) : "";
-    if (!arrived(*all[walker])) {
-      fmt::print(stderr, "stridegraph plan: {}{}: {}\n", who, planStatusName(report.status),
-                 report.explanation);
+    if (!hasArrived(*all[walker])) {
+      complain("stridegraph plan",
+               fmt::format("{}{}: {}", who, planStatusName(report.status), report.explanation));
       exitCode = kRefused;
       continue;
     }
-    printWalk(walkPathOf(arguments.walkPath, walker), report);
-    if (!report.explanation.empty()) fmt::print(stderr, "note: {}{}\n", who, report.explanation);
+    if (arguments.isQuiet) continue;
+    printWalk(stream, walks.pathOf(walker), report);
+    if (!report.explanation.empty()) printLine(stderr, fmt::format("note: {}{}", who, report.explanation));
   }
   return exitCode;
 }
 
+/// Ends a plan that could not be made or written.
+int giveUp(const PlanArguments& arguments, const Error& error, Warnings notes) {
+  noteFileOfBefore(arguments.walkPath, "a walk of this plan", notes);
+  noteFileOfBefore(arguments.reportPath, "the report of this plan", notes);
+  printNotes(notes, arguments.isQuiet);
+  complain("stridegraph plan", describe(error));
+  return kWrongUse;
+}
+
+int runPlan(const PlanArguments& arguments) {
+  if (auto checked = checkOutputs(inputsOf(arguments), outputsOf(arguments, 1)); !checked) {
+    complain("stridegraph plan", describe(checked.error()));
+    return kWrongUse;
+  }
+  Warnings notes = uselessOptions(arguments);
+  const Result<Planned> planned = makePlan(arguments, notes);
+  if (!planned) return giveUp(arguments, planned.error(), std::move(notes));
+  WalkFiles(arguments.walkPath).noteOld(allOf(planned->plan), notes);
+  if (auto written = writeFiles(arguments, *planned, notes); !written)
+    return giveUp(arguments, written.error(), std::move(notes));
+  printNotes(notes, arguments.isQuiet);
+  return tell(arguments, planned->plan);
+}
+
 }  // namespace
 
-void addPlanCommand(CLI::App& program, int& exitCode) {
-  CLI::App* command =
-      program.add_subcommand("plan", "Plan a walk through a scene and write it as BVH or GLB");
+void addPlanCommand(CLI::App& program, Job& job) {
+  CLI::App& command =
+      *program.add_subcommand("plan", "Plan a walk through a scene and write it as BVH or GLB");
   auto arguments = std::make_shared<PlanArguments>();
-  command->add_option("--graph", arguments->graphPath, "Library (.sgraph)")->required();
-  command->add_option("--scene", arguments->scenePath, "Scene (JSON)")->required();
-  command
-      ->add_option("-o,--output", arguments->walkPath,
-                   "Walk to write: .bvh, further walkers' as WALK_2.bvh, WALK_3.bvh ..., or .glb with all")
-      ->required()
-      ->check([](const std::string& path) {
-        return path.ends_with(".bvh") || path.ends_with(".glb")
-                   ? std::string()
-                   : "found " + path + ", expected a name ending in .bvh or .glb";
-      });
-  CLI::Option* seed = command->add_option("--seed", arguments->seed, "Instead of the scene's seed");
-  CLI::Option* radius = command->add_option("--radius", arguments->radiusMetres,
-                                            "Of the body's disc, metres, instead of the scene's");
-  command
-      ->add_option("--goal-radius", arguments->options.goalRadiusMetres,
-                   "How near the goal the search has to come, metres")
-      ->capture_default_str();
-  command->add_flag("--moving-ends", arguments->movingEnds,
-                    "Begin and end in motion even where the library can stand");
-  command->add_option("--planner", arguments->planner)
-      ->check(CLI::IsMember({"prm", "rrt-connect"}))
-      ->capture_default_str();
-  command->add_option("--search", arguments->search)
-      ->check(CLI::IsMember({"guided", "thesis", "thesis-checked"}))
-      ->capture_default_str();
-  command
-      ->add_option("--budget-ms", arguments->options.budgetMilliseconds,
-                   "Time for the motion search; 0: no limit")
-      ->capture_default_str();
-  command
-      ->add_option("--improve", arguments->options.improvementExpansions,
-                   "States to look at beyond the first walk's, to find a better one: 20000 take 20 to 50 ms")
-      ->capture_default_str();
-  command->add_option("--until", arguments->options.enoughRatio,
-                      "Improve no further once the walk is at most so many times as long as a disc's way");
-  command->add_flag("--raw-feet", arguments->rawFeet,
-                    "Leave feet as blended, to compare: no pins, no lifting");
-  command->add_option("--report", arguments->reportPath, "Write the report (JSON)");
-  command->callback([arguments, seed, radius, &exitCode] {
-    PlanOptions& options = arguments->options;
-    if (seed->count() > 0) options.seed = arguments->seed;
-    if (radius->count() > 0) options.radiusMetres = arguments->radiusMetres;
-    options.standing = !arguments->movingEnds;
-    options.footCleanup = !arguments->rawFeet;
-    options.planner = *plannerFromName(arguments->planner);
-    options.search = *searchFromName(arguments->search);
-    options.clock = millisecondsNow;
-    exitCode = runPlan(*arguments);
-  });
+  addPlanOptions(command, arguments);
+  command.callback([arguments, &job] { job = [arguments] { return runPlan(*arguments); }; });
 }
 
 }  // namespace stridegraph::tools

@@ -4,8 +4,9 @@
 
 #include <sstream>
 
-#include "files.h"
 #include "path/shortest_path.h"
+#include "program/files.h"
+#include "program/output_files.h"
 #include "scene/scene_json.h"
 #include "scene_folder.h"
 
@@ -19,8 +20,8 @@ void noteShortest(BenchRoom& room) {
   if (path) room.shortestMetres = path->lengthMetres;
 }
 
-Result<std::vector<BenchRoom>> readMapFolder(const std::string& folder) {
-  auto files = readSceneFolder(folder);
+Result<std::vector<BenchRoom>> readMapFolder(const std::string& folder, Warnings* notes) {
+  auto files = readSceneFolder(folder, notes);
   if (!files) return fail(std::move(files));
   std::vector<BenchRoom> maps;
   for (SceneFile& file : *files) maps.push_back({bench::kMapsSet, file.name, std::move(file.scene), {}});
@@ -45,14 +46,16 @@ Result<std::vector<BenchRoom>> readMapFolder(const std::string& folder) {
 
 Result<void> writeMapFolder(const std::vector<BenchRoom>& rooms, const std::string& folder) {
   if (auto made = makeFolder(folder); !made) return made;
+  OutputFiles files;
   std::string lengths = "# Exact shortest path of the disc, metres\n";
   for (const BenchRoom& room : rooms) {
-    auto written = writeFile(folder + "/" + room.name + ".json", writeSceneJson(room.scene));
-    if (!written) return written;
+    auto added = files.add(folder + "/" + room.name + ".json", writeSceneJson(room.scene));
+    if (!added) return added;
     lengths += room.shortestMetres ? fmt::format("{} {}\n", room.name, *room.shortestMetres)
                                    : fmt::format("{} none\n", room.name);
   }
-  return writeFile(folder + "/shortest_paths.txt", lengths);
+  if (auto added = files.add(folder + "/shortest_paths.txt", lengths); !added) return added;
+  return files.commit();
 }
 
 }  // namespace stridegraph::tools

@@ -5,37 +5,32 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "files.h"
+#include "program/files.h"
+#include "program/shown_text.h"
 #include "scene/scene_json.h"
 
 namespace stridegraph::tools {
 
-Result<std::vector<SceneFile>> readSceneFolder(const std::string& folder) {
-  std::error_code failed;
+Result<std::vector<SceneFile>> readSceneFolder(const std::string& folder, Warnings* notes) {
+  std::error_code wrong;
   std::vector<std::filesystem::path> paths;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, failed)) {
-    if (entry.path().extension() == ".json") paths.push_back(entry.path());
+  for (std::filesystem::directory_iterator entry(folder, wrong), end; !wrong && entry != end;
+       entry.increment(wrong)) {
+    if (entry->path().extension() == ".json") paths.push_back(entry->path());
   }
-  if (failed)
+  if (wrong)
     return fail(ErrorCode::kFile,
-                fmt::format("{}: found {}, expected a folder of scenes", folder, failed.message()));
+                fmt::format("{}: found {}, expected a folder of scenes", shownText(folder), wrong.message()));
   std::sort(paths.begin(), paths.end());
   std::vector<SceneFile> scenes;
   for (const std::filesystem::path& path : paths) {
-    auto text = readFile(path.string());
+    auto text = readFile(path.string(), kMostSceneFileBytes);
     if (!text) return fail(std::move(text));
-    auto scene = readSceneJson(*text, path.string());
+    auto scene = readSceneJson(*text, shownText(path.string()), notes);
     if (!scene) return fail(std::move(scene));
-    scenes.push_back({path.stem().string(), std::move(*scene)});
+    scenes.push_back({shownText(path.stem().string()), std::move(*scene)});
   }
   return scenes;
-}
-
-Result<void> makeFolder(const std::string& folder) {
-  std::error_code failed;
-  std::filesystem::create_directories(folder, failed);
-  if (!failed) return {};
-  return fail(ErrorCode::kFile, fmt::format("{}: cannot be made: {}", folder, failed.message()));
 }
 
 }  // namespace stridegraph::tools

@@ -14,10 +14,8 @@ struct SceneFile {
   Scene scene;
 };
 
-/// All scenes (*.json) of a folder, by name. kFile for what is no folder; else what readSceneJson refuses.
-Result<std::vector<SceneFile>> readSceneFolder(const std::string& folder);
-
-/// Makes the folder, and those that it lies in, where they are not there; kFile where that fails.
-Result<void> makeFolder(const std::string& folder);
+/// All scenes (*.json) of a folder, by name; what is odd about them goes to `notes` where it is not null.
+/// kFile for what is no folder; else what readSceneJson refuses.
+Result<std::vector<SceneFile>> readSceneFolder(const std::string& folder, Warnings* notes = nullptr);
 
 }  // namespace stridegraph::tools

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "clip_reader.h"
 #include "graph/sgraph_file.h"
 #include "js_values.h"
 #include "library_handle.h"
@@ -13,11 +14,11 @@ using emscripten::val;
 
 val fateValue(const ClipFate& fate) {
   val value = val::object();
-  value.set("name", fate.name);
+  value.set("name", textValue(fate.name));
   value.set("frames", static_cast<double>(fate.frames));
   value.set("transitions", static_cast<double>(fate.transitions));
   value.set("survivingFrames", static_cast<double>(fate.survivingFrames));
-  value.set("reason", fate.reason);
+  value.set("reason", textValue(fate.reason));
   return value;
 }
 
@@ -53,8 +54,8 @@ val BuilderHandle::create(const val& options, const val& base) {
   return succeed(val(std::make_shared<BuilderHandle>(*std::move(read), std::move(library))));
 }
 
-val BuilderHandle::addClip(const std::string& name, const std::string& text) {
-  Result<BvhDocument> document = readBvh(text, name, options_.reading);
+val BuilderHandle::addClip(const val& clip) {
+  Result<BvhDocument> document = readBvhClip(clip, options_.reading);
   if (!document) return refuse(document.error());
   documents_.push_back(*std::move(document));
   return succeed(val::undefined());

@@ -3,7 +3,6 @@
 #include <emscripten/val.h>
 
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -12,7 +11,7 @@
 
 namespace stridegraph::bindings {
 
-/// Builds a library from BVH texts in small steps: every clip read is one, then those of LibraryBuilder.
+/// Builds a library from BVH files in small steps: every clip read is one, then those of LibraryBuilder.
 class BuilderHandle {
  public:
   /// {value: LibraryBuilder}, or why the options will not do; see BuildOptions in stridegraph.d.ts. `base` is
@@ -22,8 +21,8 @@ class BuilderHandle {
   BuilderHandle(BuildOptions options, std::optional<MotionLibrary> base)
       : options_(std::move(options)), base_(std::move(base)) {}
 
-  /// Reads one clip: {value: undefined} or its error.
-  emscripten::val addClip(const std::string& name, const std::string& text);
+  /// Reads one clip, given as readBvhClip takes it: {value: undefined} or its error.
+  emscripten::val addClip(const emscripten::val& clip);
   /// Ends the reading: {value: undefined}, or why the clips make no library.
   emscripten::val start();
   bool step();

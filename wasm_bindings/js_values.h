@@ -4,6 +4,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/error.h"
@@ -16,6 +17,13 @@ namespace stridegraph::bindings {
 emscripten::val succeed(emscripten::val value);
 emscripten::val refuse(const Error& error);
 
+/// A JavaScript string as UTF-8. Lone surrogates, which JavaScript allows and UTF-8 does not, become U+FFFD;
+/// embind would take the character after one for its other half.
+std::string textFrom(const emscripten::val& text);
+
+/// Text of core as a JavaScript string, whatever bytes a file left in it (toUtf8).
+emscripten::val textValue(std::string_view text);
+
 /// A copy as a typed array of its own, outside the WebAssembly heap, whose views die when memory grows.
 template <typename T>
 emscripten::val copyOut(std::span<const T> values) {
@@ -26,7 +34,7 @@ emscripten::val copyOut(std::span<const T> values) {
 /// x and z of each point in turn, as a Float32Array.
 emscripten::val floorPoints(std::span<const Vec2> points);
 
-/// An array of {message, file, line, column}.
+/// An array of {message, file, line, column, topic}.
 emscripten::val warningList(const Warnings& warnings);
 
 }  // namespace stridegraph::bindings

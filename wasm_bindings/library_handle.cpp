@@ -28,8 +28,8 @@ struct Asked {
   PlanOptions options;
 };
 
-Result<Asked> readAsked(const std::string& scene, const val& options) {
-  Result<Scene> room = readSceneJson(scene);
+Result<Asked> readAsked(const val& scene, const val& options) {
+  Result<Scene> room = readSceneJson(textFrom(scene));
   if (!room) return fail(std::move(room));
   Result<PlanOptions> read = readPlanOptions(options);
   if (!read) return fail(std::move(read));
@@ -49,13 +49,13 @@ val LibraryHandle::open(const val& bytes) {
   return succeed(val(std::make_shared<LibraryHandle>(*std::move(library))));
 }
 
-val LibraryHandle::startPlan(const std::string& scene, const val& options) {
+val LibraryHandle::startPlan(const val& scene, const val& options) {
   const Result<Asked> asked = readAsked(scene, options);
   if (!asked) return refuse(asked.error());
   return answer(session_->planner.begin(asked->scene, asked->options));
 }
 
-val LibraryHandle::startReplan(const std::string& scene, double atSeconds, const val& options) {
+val LibraryHandle::startReplan(const val& scene, double atSeconds, const val& options) {
   const Result<Asked> asked = readAsked(scene, options);
   if (!asked) return refuse(asked.error());
   const std::optional<Plan>& underWay = session_->underWay;
@@ -81,7 +81,7 @@ val LibraryHandle::info() const {
   val clips = val::array();
   for (const LibraryClip& clip : library.clips) {
     val value = val::object();
-    value.set("name", clip.name);
+    value.set("name", textValue(clip.name));
     value.set("firstFrame", clip.firstFrame);
     value.set("frames", clip.frameCount);
     value.set("mirrored", clip.mirrored);
@@ -100,14 +100,18 @@ val LibraryHandle::info() const {
   value.set("thresholdMetres", library.params.thresholdMetres);
   value.set("transitionFrames", library.params.transitionFrames);
   value.set("mirror", library.params.mirror);
-  value.set("license", library.license);
+  value.set("license", textValue(library.license));
   value.set("clips", clips);
   value.set("contactJoints", contactJoints);
   return value;
 }
 
 val LibraryHandle::skeleton() const {
-  return skeletonValue(library().skeleton, library().layout);
+  return skeletonValue(library());
+}
+
+val LibraryHandle::notes() const {
+  return warningList(library().notes);
 }
 
 val LibraryHandle::toBytes() const {

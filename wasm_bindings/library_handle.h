@@ -19,13 +19,15 @@ class LibraryHandle {
   static emscripten::val open(const emscripten::val& bytes);
 
   /// {value: PlanHandle}. The scene is JSON text.
-  emscripten::val startPlan(const std::string& scene, const emscripten::val& options);
+  emscripten::val startPlan(const emscripten::val& scene, const emscripten::val& options);
   /// The same for the last walk that arrived, which shows that second and goes on in the scene as it is now.
-  emscripten::val startReplan(const std::string& scene, double atSeconds, const emscripten::val& options);
+  emscripten::val startReplan(const emscripten::val& scene, double atSeconds, const emscripten::val& options);
   /// Figures and names, see LibraryInfo in stridegraph.d.ts.
   emscripten::val info() const;
   /// See skeletonValue.
   emscripten::val skeleton() const;
+  /// See warningList.
+  emscripten::val notes() const;
   /// .sgraph bytes as a Uint8Array.
   emscripten::val toBytes() const;
 

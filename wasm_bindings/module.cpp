@@ -6,6 +6,7 @@
 
 #include "base/hash.h"
 #include "builder_handle.h"
+#include "clip_reader.h"
 #include "js_values.h"
 #include "library_handle.h"
 #include "option_reader.h"
@@ -27,8 +28,8 @@ val errorCodes() {
 }
 
 /// The refusal of an argument that never came as far as core.
-val invalidArgument(const std::string& message) {
-  return refuse(Error{ErrorCode::kInvalidArgument, message});
+val invalidArgument(const val& message) {
+  return refuse(Error{ErrorCode::kInvalidArgument, textFrom(message)});
 }
 
 /// Bytes of the heap in use: the figure that must stay flat.
@@ -50,8 +51,8 @@ Result<std::uint64_t> readHash(const std::string& digits) {
 }
 
 /// {value: fragment}; options as LinkOptions in stridegraph.d.ts.
-val encode(const std::string& sceneText, const val& options) {
-  Result<Scene> scene = readSceneJson(sceneText);
+val encode(const val& sceneText, const val& options) {
+  Result<Scene> scene = readSceneJson(textFrom(sceneText));
   if (!scene) return refuse(scene.error());
   SharedScene shared{.scene = *std::move(scene)};
   OptionReader reader(options, "link options");
@@ -67,13 +68,23 @@ val encode(const std::string& sceneText, const val& options) {
 }
 
 /// {value: {scene: JSON text, search, libraryHash: digits or null}}.
-val decode(const std::string& fragment) {
-  const Result<SharedScene> shared = decodeLink(fragment);
+val decode(const val& fragment) {
+  const Result<SharedScene> shared = decodeLink(textFrom(fragment));
   if (!shared) return refuse(shared.error());
   val value = val::object();
-  value.set("scene", writeSceneJson(shared->scene));
-  value.set("search", shared->search);
+  value.set("scene", textValue(writeSceneJson(shared->scene)));
+  value.set("search", textValue(shared->search));
   value.set("libraryHash", shared->libraryHash == 0 ? val::null() : val(hexDigits(shared->libraryHash)));
+  return succeed(value);
+}
+
+/// {value: {warnings}}, see SceneInspection in stridegraph.d.ts.
+val inspectScene(const val& sceneText) {
+  Warnings notes;
+  const Result<Scene> scene = readSceneJson(textFrom(sceneText), "scene", &notes);
+  if (!scene) return refuse(scene.error());
+  val value = val::object();
+  value.set("warnings", warningList(notes));
   return succeed(value);
 }
 
@@ -88,6 +99,7 @@ EMSCRIPTEN_BINDINGS(stridegraph) {
       .function("startReplan", &LibraryHandle::startReplan)
       .function("info", &LibraryHandle::info)
       .function("skeleton", &LibraryHandle::skeleton)
+      .function("notes", &LibraryHandle::notes)
       .function("toBytes", &LibraryHandle::toBytes);
   class_<PlanHandle>("Plan")
       .smart_ptr<std::shared_ptr<PlanHandle>>("PlanPointer")
@@ -104,6 +116,8 @@ EMSCRIPTEN_BINDINGS(stridegraph) {
       .function("progress", &BuilderHandle::progress)
       .function("framePairs", &BuilderHandle::framePairs)
       .function("finish", &BuilderHandle::finish);
+  function("inspectClip", &inspectClip);
+  function("inspectScene", &inspectScene);
   function("walkToBvh", &walkToBvh);
   function("walksToGlb", &walksToGlb);
   function("encodeLink", &encode);

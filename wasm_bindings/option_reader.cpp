@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "js_values.h"
+
 namespace stridegraph::bindings {
 namespace {
 
@@ -64,7 +66,7 @@ std::optional<bool> OptionReader::flag(const char* name) {
 std::optional<std::string> OptionReader::text(const char* name) {
   const val value = member(name, "string");
   if (value.isUndefined()) return {};
-  return value.as<std::string>();
+  return textFrom(value);
 }
 
 bool OptionReader::isText(const char* name) const {
@@ -86,7 +88,7 @@ Result<void> OptionReader::check() const {
   const val names = val::global("Object").call<val>("keys", options_);
   const auto count = names["length"].as<std::size_t>();
   for (std::size_t i = 0; i < count; ++i) {
-    const auto name = names[i].as<std::string>();
+    const auto name = textFrom(names[i]);
     if (std::find(known_.begin(), known_.end(), name) != known_.end()) continue;
     return fail(ErrorCode::kInvalidArgument,
                 fmt::format("{}: found \"{}\", expected one of {}", what_, name, fmt::join(known_, ", ")));

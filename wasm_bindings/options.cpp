@@ -12,13 +12,12 @@ using emscripten::val;
 constexpr double kInchMetres = 0.0254;
 
 /// Units as on the command line: auto, m, cm, in, or metres per unit.
-std::optional<double> readUnits(OptionReader& reader) {
+std::optional<double> readUnits(OptionReader& reader, const std::string& what) {
   if (!reader.isText("units")) {
     const std::optional<double> metresPerUnit = reader.number("units");
     if (!metresPerUnit) return {};
     if (*metresPerUnit > 0) return 1.0 / *metresPerUnit;
-    reader.refuse(
-        fmt::format("build options: units is {}, expected metres per unit above 0", *metresPerUnit));
+    reader.refuse(fmt::format("{}: units is {}, expected metres per unit above 0", what, *metresPerUnit));
     return {};
   }
   const std::string units = reader.text("units").value_or("auto");
@@ -26,17 +25,21 @@ std::optional<double> readUnits(OptionReader& reader) {
   if (units == "cm") return 100.0;
   if (units == "in") return 1.0 / kInchMetres;
   if (units != "auto") {
-    reader.refuse(fmt::format("build options: units is \"{}\", expected auto, m, cm, in or a number", units));
+    reader.refuse(fmt::format("{}: units is \"{}\", expected auto, m, cm, in or a number", what, units));
   }
   return {};
 }
 
-std::optional<UpAxis> readUp(OptionReader& reader) {
+std::optional<UpAxis> readUp(OptionReader& reader, const std::string& what) {
   const std::string up = reader.text("up").value_or("auto");
   if (up == "y") return UpAxis::kY;
   if (up == "z") return UpAxis::kZ;
-  if (up != "auto") reader.refuse(fmt::format("build options: up is \"{}\", expected auto, y or z", up));
+  if (up != "auto") reader.refuse(fmt::format("{}: up is \"{}\", expected auto, y or z", what, up));
   return {};
+}
+
+BvhReadParams readReading(OptionReader& reader, const std::string& what) {
+  return {.unitsPerMetre = readUnits(reader, what), .up = readUp(reader, what)};
 }
 
 /// A name that must be one of core's: `find` is plannerFromName or searchFromName.
@@ -89,8 +92,16 @@ Result<PlanOptions> readPlanOptions(const val& options) {
   return read;
 }
 
+Result<BvhReadParams> readReadingOptions(const val& options, const std::string& what) {
+  OptionReader reader(options, what);
+  const BvhReadParams read = readReading(reader, what);
+  if (Result<void> checked = reader.check(); !checked) return fail(std::move(checked));
+  return read;
+}
+
 Result<BuildOptions> readBuildOptions(const val& options) {
-  OptionReader reader(options, "build options");
+  const std::string what = "build options";
+  OptionReader reader(options, what);
   BuildOptions read;
   read.library.thresholdMetres = reader.number("threshold").value_or(read.library.thresholdMetres);
   read.library.framesPerSecond = reader.number("fps").value_or(read.library.framesPerSecond);
@@ -106,8 +117,7 @@ Result<BuildOptions> readBuildOptions(const val& options) {
   }
   read.library.largestSpanRatio = reader.number("spanRatio").value_or(read.library.largestSpanRatio);
   refuseSettingsBesideAppend(reader);
-  read.reading.unitsPerMetre = readUnits(reader);
-  read.reading.up = readUp(reader);
+  read.reading = readReading(reader, what);
   read.license = reader.text("license").value_or("");
   if (Result<void> checked = reader.check(); !checked) return fail(std::move(checked));
   return read;

@@ -2,6 +2,8 @@
 
 #include <emscripten/val.h>
 
+#include <string>
+
 #include "base/result.h"
 #include "graph/library.h"
 #include "motion/bvh_reader.h"
@@ -11,6 +13,9 @@ namespace stridegraph::bindings {
 
 /// PlanOptions of stridegraph.d.ts, without the clock. Fails with kInvalidArgument.
 Result<PlanOptions> readPlanOptions(const emscripten::val& options);
+
+/// ReadingOptions of stridegraph.d.ts, named `what` in messages. Fails with kInvalidArgument.
+Result<BvhReadParams> readReadingOptions(const emscripten::val& options, const std::string& what);
 
 /// BuildOptions of stridegraph.d.ts. `append` is left to the caller; beside it no setting of a library may be
 /// given.

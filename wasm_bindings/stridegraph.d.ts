@@ -119,6 +119,8 @@ export interface PlanReport {
   frames: number
   expansions: number
   transitions: number
+  /** Steps taken from a standing pose to a near goal that no clip leads to as directly; missing where none are. */
+  small_steps?: number
   /** Library frames at both ends of every edge played. */
   edges: [number, number][]
   /** Smallest distance of the disc's rim to anything along the walk. */
@@ -237,7 +239,17 @@ export interface Warning {
 }
 
 export type WarningTopic =
-  'other' | 'text' | 'rows' | 'time' | 'travel' | 'skeleton' | 'unit' | 'up_axis' | 'motion' | 'graph' | 'scene'
+  | 'other'
+  | 'text'
+  | 'rows'
+  | 'time'
+  | 'travel'
+  | 'skeleton'
+  | 'unit'
+  | 'up_axis'
+  | 'motion'
+  | 'graph'
+  | 'scene'
 
 /** What building found, kept and dropped, and why. */
 export interface BuildReport {
@@ -261,6 +273,8 @@ export interface BuildReport {
 export interface Library {
   readonly info: LibraryInfo
   readonly joints: Joint[]
+  /** What was odd about the clips when they were read and connected; kept in the .sgraph. */
+  readonly notes: Warning[]
   /** Only of libraries built here. */
   readonly buildReport?: BuildReport
   /** Plans a walk. That there is no way is a status, not an error. The scene may be its JSON text. */
@@ -283,13 +297,54 @@ export interface Library {
   delete(): void
 }
 
-/** A clip as BVH text; the name is used in messages and reports. */
-export interface BvhText {
+/** How the lengths and axes of BVH files are understood. */
+export interface ReadingOptions {
+  /** Of the file's lengths; a number is metres per unit. Inferred when missing or auto. */
+  units?: 'auto' | 'm' | 'cm' | 'in' | number
+  /** The axis that points up. Inferred when missing or auto. */
+  up?: 'auto' | 'y' | 'z'
+}
+
+/** A clip as BVH text; the name is used in messages and reports. Its units and up go before those of the call. */
+export interface BvhText extends ReadingOptions {
   name: string
   text: string
 }
 
-export interface BuildOptions {
+/** A clip as the bytes of a BVH file: their encoding is told from themselves, as the program does it. */
+export interface BvhBytes extends ReadingOptions {
+  name: string
+  bytes: ArrayBuffer | ArrayBufferView
+}
+
+export type BvhClip = BvhText | BvhBytes
+
+/** What a clip is, and how it was understood. */
+export interface ClipInspection {
+  name: string
+  joints: Joint[]
+  frames: number
+  fps: number
+  seconds: number
+  /** Units of the file in a metre: 100 for centimetres. */
+  unitsPerMetre: number
+  /** How surely the unit was inferred, 0..1; 1 when it was given. */
+  unitConfidence: number
+  up: 'y' | 'z'
+  upConfidence: number
+  /** What was guessed so unsurely that a person should be asked; the topics of the warnings about it. */
+  doubts: ('unit' | 'up_axis')[]
+  /** From the lowest joint to the highest as the body stands most of the time, metres. */
+  heightMetres: number
+  warnings: Warning[]
+}
+
+/** What is odd about a scene that can be used. */
+export interface SceneInspection {
+  warnings: Warning[]
+}
+
+export interface BuildOptions extends ReadingOptions {
   /** Largest distance along a transition, metres per joint; 0.05 when missing. */
   threshold?: number
   /** Length of a transition, frames, 2..120; 13 when missing. */
@@ -313,9 +368,6 @@ export interface BuildOptions {
    * same, byte for byte, as building from all clips at once.
    */
   append?: ArrayBuffer | ArrayBufferView
-  /** Of the files; a number is metres per unit. Inferred when missing or auto. */
-  units?: 'auto' | 'm' | 'cm' | 'in' | number
-  up?: 'auto' | 'y' | 'z'
   /** A line on where the clips come from and on what terms. */
   license?: string
 }
@@ -384,12 +436,16 @@ export interface Stridegraph {
   readonly memory: { heapBytes: number; usedBytes: number }
   /** Opens .sgraph bytes, which are verified. */
   openLibrary(bytes: ArrayBuffer | ArrayBufferView): Library
+  /** Reads a clip without building anything: what it holds, and what to ask about before building. */
+  inspectClip(clip: BvhClip, options?: ReadingOptions): ClipInspection
+  /** Reads a scene without planning anything: which of its members are misspelt, unknown or given twice. */
+  inspectScene(scene: Scene | string): SceneInspection
   /** Builds a library at once. */
-  buildLibrary(clips: BvhText[], options?: BuildOptions): Library
+  buildLibrary(clips: BvhClip[], options?: BuildOptions): Library
   /** Builds a library step by step, under the caller's control. */
-  startBuild(clips: BvhText[], options?: BuildOptions): LibraryBuild
+  startBuild(clips: BvhClip[], options?: BuildOptions): LibraryBuild
   /** Builds a library in slices between which the page stays alive. */
-  buildLibraryAsync(clips: BvhText[], options?: BuildOptions, run?: AsyncRun): Promise<Library>
+  buildLibraryAsync(clips: BvhClip[], options?: BuildOptions, run?: AsyncRun): Promise<Library>
   /** The fragment of a link, without '#': everything that replays the same walk anywhere. */
   encodeLink(scene: Scene | string, options?: LinkOptions): string
   /** Reads a fragment, with or without '#'. */

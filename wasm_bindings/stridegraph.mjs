@@ -2,7 +2,7 @@
 // stridegraph.d.ts. Everything here copies in and out of WebAssembly; only a library (and a build or a plan that
 // is under way) holds on to memory there.
 import createStridegraphModule from './stridegraph_module.mjs'
-import { Handle, bytesOf, refuse, sceneTextOf, textOf, unpack } from './stridegraph_values.mjs'
+import { Handle, bytesOf, clipOf, refuse, sceneTextOf, textOf, unpack } from './stridegraph_values.mjs'
 
 export { StridegraphError } from './stridegraph_values.mjs'
 
@@ -12,10 +12,10 @@ class Walk {
   #skeleton
   #motion
 
-  constructor(module, skeleton, plan) {
+  constructor(module, skeleton, plan, walker = 0) {
     this.#module = module
     this.#skeleton = skeleton
-    this.#motion = { fps: plan.fps, rootPositions: plan.rootPositions, rotations: plan.rotations }
+    this.#motion = { walker, fps: plan.fps, rootPositions: plan.rootPositions, rotations: plan.rotations }
     this.status = plan.status
     this.report = JSON.parse(plan.report)
     this.fps = plan.fps
@@ -29,7 +29,7 @@ class Walk {
     this.path = plan.path
     this.subgoals = plan.subgoals
     this.roadmap = plan.roadmap
-    this.others = plan.others.map((other) => new Walk(module, skeleton, other))
+    this.others = plan.others.map((other, i) => new Walk(module, skeleton, other, i + 1))
   }
 
   toBvh() {
@@ -63,12 +63,14 @@ class Library {
   #handle
   #info
   #skeleton
+  #notes
 
   constructor(module, raw, buildReport) {
     this.#module = module
     this.#handle = new Handle(module, raw, 'library')
     this.#info = raw.info()
     this.#skeleton = raw.skeleton()
+    this.#notes = raw.notes()
     this.buildReport = buildReport
   }
 
@@ -78,6 +80,10 @@ class Library {
 
   get joints() {
     return structuredClone(this.#skeleton.joints)
+  }
+
+  get notes() {
+    return structuredClone(this.#notes)
   }
 
   startPlan(scene, options) {
@@ -184,17 +190,17 @@ class LibraryBuild {
 
   constructor(module, clips, options) {
     this.#module = module
-    if (!Array.isArray(clips)) refuse(module, 'the list of clips', clips, 'an array of {name, text}')
+    if (!Array.isArray(clips)) {
+      refuse(module, 'the list of clips', clips, 'an array of {name, text} or {name, bytes}')
+    }
+    // Copied at once: whoever asked for a build may use the bytes otherwise before their turn comes.
     this.#waiting = clips.map((clip, index) => {
-      if (typeof clip !== 'object' || clip === null) refuse(module, `clip ${index}`, clip, '{name, text}')
-      return {
-        name: textOf(module, `the name of clip ${index}`, clip.name),
-        text: textOf(module, `the text of clip ${index}`, clip.text),
-      }
+      const { bytes, ...rest } = clipOf(module, `clip ${index}`, clip)
+      return { ...rest, bytes: bytes.slice() }
     })
     this.#clipCount = this.#waiting.length
     const append = options?.append ?? undefined
-    const base = append === undefined ? undefined : bytesOf(module, append)
+    const base = append === undefined ? undefined : bytesOf(module, 'the library', append)
     this.#handle = new Handle(module, unpack(module.Builder.create(options, base)), 'build')
   }
 
@@ -212,7 +218,7 @@ class LibraryBuild {
     const raw = this.#handle.raw
     const clip = this.#waiting.shift()
     if (clip) {
-      unpack(raw.addClip(clip.name, clip.text))
+      unpack(raw.addClip(clip))
       return true
     }
     if (!this.#started) {
@@ -276,7 +282,18 @@ class Stridegraph {
   }
 
   openLibrary(bytes) {
-    return new Library(this.#module, unpack(this.#module.Library.open(bytesOf(this.#module, bytes))))
+    return new Library(
+      this.#module,
+      unpack(this.#module.Library.open(bytesOf(this.#module, 'the library', bytes))),
+    )
+  }
+
+  inspectClip(clip, options) {
+    return unpack(this.#module.inspectClip(clipOf(this.#module, 'the clip', clip), options))
+  }
+
+  inspectScene(scene) {
+    return unpack(this.#module.inspectScene(sceneTextOf(this.#module, scene)))
   }
 
   startBuild(clips, options) {

@@ -61,11 +61,38 @@ export function textOf(module, what, value) {
   return typeof value === 'string' ? value : refuse(module, what, value, 'a string')
 }
 
-export function bytesOf(module, value) {
-  if (ArrayBuffer.isView(value)) return new Uint8Array(value.buffer, value.byteOffset, value.byteLength)
-  if (Object.prototype.toString.call(value) === '[object ArrayBuffer]') return new Uint8Array(value)
-  return refuse(module, 'the library', value, 'an ArrayBuffer or a typed array of bytes')
+export function bytesOf(module, what, value) {
+  const isBuffer = Object.prototype.toString.call(value) === '[object ArrayBuffer]'
+  if (!isBuffer && !ArrayBuffer.isView(value)) {
+    return refuse(module, what, value, 'an ArrayBuffer or a typed array of bytes')
+  }
+  try {
+    return isBuffer ? new Uint8Array(value) : new Uint8Array(value.buffer, value.byteOffset, value.byteLength)
+  } catch {
+    return unpack(module.invalidArgument(`${what} is a buffer that was handed on, expected one in use`))
+  }
 }
+
+/** A clip as the module takes it: its file as bytes, whatever the encoding, and how to read it if that is given. */
+export function clipOf(module, what, clip) {
+  const expected = 'an object {name, text} or {name, bytes}'
+  if (typeof clip !== 'object' || clip === null) return refuse(module, what, clip, expected)
+  const { name, text, bytes, ...reading } = clip
+  if (text !== undefined && bytes !== undefined) {
+    return unpack(module.invalidArgument(`${what} has both text and bytes, expected one of them`))
+  }
+  return {
+    name: textOf(module, `the name of ${what}`, name),
+    bytes:
+      bytes === undefined
+        ? new TextEncoder().encode(textOf(module, `the text of ${what}`, text))
+        : bytesOf(module, `the bytes of ${what}`, bytes),
+    reading,
+  }
+}
+
+/** Escapes of JSON text, in pairs so that an escaped backslash is not taken for the beginning of one. */
+const JSON_ESCAPE = /\\(?:ud[89a-f][0-9a-f]{2}|.)/g
 
 export function sceneTextOf(module, scene) {
   if (typeof scene === 'string') return scene
@@ -77,5 +104,10 @@ export function sceneTextOf(module, scene) {
       module.invalidArgument(`the scene cannot become JSON (${reason.message}), expected a plain object`),
     )
   }
-  return text ?? refuse(module, 'the scene', scene, 'a scene object or its JSON text')
+  // JSON.stringify escapes surrogates only where they are lone, which no reader of JSON has to accept.
+  const isLone = (escape) => escape.length > 2
+  return (
+    text?.replace(JSON_ESCAPE, (escape) => (isLone(escape) ? '\ufffd' : escape)) ??
+    refuse(module, 'the scene', scene, 'a scene object or its JSON text')
+  )
 }

@@ -99,7 +99,7 @@ Result<void> App::openLibrary(std::span<const std::uint8_t> bytes) {
   state_.replanning.better.reset();
   state_.library = std::make_shared<const MotionLibrary>(std::move(*library));
   state_.planner = std::make_unique<const WalkPlanner>(state_.library);
-  bones_ = bonesFor(state_.library->skeleton, state_.library->frames.pose(0));
+  body_ = roundBody(state_.library->skeleton, state_.library->frames);
   state_.plan.reset();
   wantPlan(state_);
   stayAwake(kAwakeSeconds);
@@ -132,9 +132,10 @@ void App::stayAwake(double seconds) {
 
 void App::beginImGui(const FrameRequest& request) {
   ImGuiIO& io = ImGui::GetIO();
-  if (request.pixelRatio != shown_.pixelRatio) {
+  const bool otherRatio = request.pixelRatio != shown_.pixelRatio;
+  if (otherRatio) lettering_.bake(fontFile_, static_cast<float>(request.pixelRatio));
+  if (lettering_.drawWanted(host_.drawText) || otherRatio) {
     ImGui_ImplOpenGL3_DestroyFontsTexture();
-    bakeFonts(fontFile_, static_cast<float>(request.pixelRatio));
     ImGui_ImplOpenGL3_CreateFontsTexture();
   }
   if (styledDark_ != state_.view.dark) {
@@ -188,13 +189,14 @@ bool App::frame(const FrameRequest& wanted) {
 void App::showPanels(const CameraView& view) {
   const Layout layout{view.viewport};
   Commands commands;
-  showOverlay(state_, view, layout);
-  showToolbar(state_, layout, commands);
+  showOverlay(state_, view, layout, lettering_);
+  showToolbar(state_, layout, lettering_, commands);
   showCameraBar(state_, layout, commands);
-  showScenePanel(state_, layout, commands);
-  showReportPanel(state_, layout, commands);
+  showScenePanel(state_, layout, lettering_, commands);
+  showReportPanel(state_, layout, lettering_, commands);
   showTimeline(state_, layout, commands);
   run(commands);
+  if (lettering_.isWaiting()) stayAwake(kAwakeSeconds);
 }
 
 void App::updateWalk(double deltaSeconds) {
@@ -252,7 +254,7 @@ std::vector<ShownBody> App::shownBodies() const {
                          state_.plan->frameKinds[frame] == EdgeKind::kTransition;
     const Colour& own = walker == 0 ? palette.body : walkerColour(palette, walker);
     bodies.push_back(
-        {placeBones(bones_, state_.library->skeleton, pose->view()), blended ? palette.blendedBody : own});
+        {placeParts(body_, state_.library->skeleton, pose->view()), blended ? palette.blendedBody : own});
   }
   return bodies;
 }

@@ -11,6 +11,7 @@
 #include "state/app_state.h"
 #include "state/commands.h"
 #include "ui/input.h"
+#include "ui/lettering.h"
 #include "ui/view_input.h"
 
 namespace stridegraph {
@@ -24,6 +25,7 @@ struct AppHost {
   std::function<void(const std::string&)> copyText;
   std::function<std::string()> pasteText;
   std::function<void(Cursor)> setCursor;
+  DrawText drawText;  ///< May be empty: text beyond the font is then shown as question marks.
 };
 
 /// One frame as the driver wants it.
@@ -54,6 +56,9 @@ class App {
   bool frame(const FrameRequest& request);
 
   const AppState& state() const { return state_; }
+  /// What the library's skeleton wears.
+  const RoundBody& body() const { return body_; }
+  const Lettering& lettering() const { return lettering_; }
   /// Where a place of the room is on screen, in points; empty behind the eye.
   std::optional<Vec2> shownAt(const Vec3& place) const;
 
@@ -76,8 +81,9 @@ class App {
   InputState input_;
   ViewInput viewInput_;
   std::vector<unsigned char> fontFile_;
+  Lettering lettering_;
   FrameRequest shown_;
-  std::vector<Bone> bones_;
+  RoundBody body_;
   std::vector<Footprint> footprints_;
   unsigned footprintsOfPlan_ = 0;
   std::string shownStatus_;

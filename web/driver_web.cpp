@@ -6,14 +6,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <string>
 
 #include "app.h"
+#include "graph/sgraph_file.h"
 #include "motion/bvh_writer.h"
 #include "motion/glb_writer.h"
 #include "scene/scene_json.h"
 #include "scene/scene_link.h"
+#include "state/library_json.h"
 #include "state/planning.h"
 #include "state/state_json.h"
 
@@ -22,6 +25,17 @@ EM_JS(void, pageShowStatus, (const char* text), { Module["page"]["showStatus"](U
 EM_JS(void, pageCopyText, (const char* text), { Module["page"]["copyText"](UTF8ToString(text)); });
 EM_JS(void, pageSetCursor, (int cursor), { Module["page"]["setCursor"](cursor); });
 EM_JS(char*, pagePasteText, (), { return allocateUTF8(Module["page"]["pasteText"]()); });
+/// The pixels of a text (RGBA, to be freed), with width, height, left, ascent, advance and colouredness in `figures`;
+/// null where it cannot be drawn.
+EM_JS(std::uint8_t*, pageDrawText, (const char* text, double pixels, double* figures), {
+  const picture = Module["page"]["drawText"](UTF8ToString(text), pixels);
+  if (!picture) return 0;
+  const address = _malloc(picture["pixels"].length);
+  if (!address) return 0;
+  HEAPU8.set(picture["pixels"], address);
+  HEAPF64.set(picture["figures"], figures >> 3);
+  return address;
+});
 // clang-format on
 
 namespace stridegraph {
@@ -35,6 +49,7 @@ struct Page {
   double lastMilliseconds = 0.0;
   std::string text;
   std::vector<std::uint8_t> bytes;
+  Warnings sceneNotes;  ///< On the scene file that was opened last.
 };
 
 Page& page() {
@@ -51,6 +66,22 @@ const char* answerError(const Error& error) {
   return answer(describe(error));
 }
 
+std::optional<TextPicture> drawByPage(const std::string& text, float pixels) {
+  std::array<double, 6> figures = {};
+  std::uint8_t* const bytes = pageDrawText(text.c_str(), static_cast<double>(pixels), figures.data());
+  if (bytes == nullptr) return {};
+  TextPicture picture;
+  picture.width = static_cast<int>(figures[0]);
+  picture.height = static_cast<int>(figures[1]);
+  picture.left = static_cast<float>(figures[2]);
+  picture.ascent = static_cast<float>(figures[3]);
+  picture.advance = static_cast<float>(figures[4]);
+  picture.coloured = figures[5] != 0.0;
+  picture.rgba.assign(bytes, bytes + static_cast<std::ptrdiff_t>(figures[0] * figures[1]) * 4);
+  std::free(bytes);
+  return picture;
+}
+
 AppHost browserHost() {
   AppHost host;
   host.clock = [] { return emscripten_get_now(); };
@@ -62,6 +93,7 @@ AppHost browserHost() {
     std::free(text);
     return copy;
   };
+  host.drawText = drawByPage;
   host.setCursor = [last = Cursor::kArrow](Cursor cursor) mutable {
     if (cursor != last) pageSetCursor(static_cast<int>(cursor));
     last = cursor;
@@ -130,11 +162,30 @@ EMSCRIPTEN_KEEPALIVE const char* sgOpenLibrary(const std::uint8_t* bytes, std::s
   return opened ? answer("") : answerError(opened.error());
 }
 
-EMSCRIPTEN_KEEPALIVE const char* sgOpenScene(const char* text, const char* name) {
-  const Result<Scene> scene = readSceneJson(text, name);
+/// What the open library is made of, as JSON (state/library_json.h).
+EMSCRIPTEN_KEEPALIVE const char* sgLibrary() {
+  const std::shared_ptr<const MotionLibrary>& library = page().app->state().library;
+  return answer(library ? toJson(*library) : "null");
+}
+/// The open library as an .sgraph file; an empty file without one.
+EMSCRIPTEN_KEEPALIVE const std::uint8_t* sgLibraryFile() {
+  const std::shared_ptr<const MotionLibrary>& library = page().app->state().library;
+  page().bytes = library ? writeSgraph(*library) : std::vector<std::uint8_t>();
+  return page().bytes.data();
+}
+
+/// Opens a scene from the bytes of its file.
+EMSCRIPTEN_KEEPALIVE const char* sgOpenScene(const char* bytes, std::size_t size, const char* name) {
+  Warnings notes;
+  const Result<Scene> scene = readSceneJson({bytes, size}, name, &notes);
   if (!scene) return answerError(scene.error());
+  page().sceneNotes = std::move(notes);
   page().app->openScene(*scene, std::string("Open ") + name);
   return answer("");
+}
+/// What was odd about the scene file that was opened last, as JSON (state/library_json.h).
+EMSCRIPTEN_KEEPALIVE const char* sgSceneNotes() {
+  return answer(toJson(page().sceneNotes));
 }
 
 EMSCRIPTEN_KEEPALIVE const char* sgOpenLink(const char* fragment) {
@@ -166,6 +217,11 @@ EMSCRIPTEN_KEEPALIVE const char* sgPointOf(double x, double z) {
   return answer(at ? fmt::format("{{\"x\":{},\"y\":{}}}", at->x(), at->y()) : "null");
 }
 
+EMSCRIPTEN_KEEPALIVE const char* sgLettering() {
+  const Lettering& lettering = page().app->lettering();
+  return answer(letteringJson(lettering.isWaiting(), lettering.missing()));
+}
+
 EMSCRIPTEN_KEEPALIVE const char* sgState() {
   return answer(toJson(page().app->state()));
 }
@@ -185,10 +241,10 @@ EMSCRIPTEN_KEEPALIVE const std::uint8_t* sgWalkBvh(std::size_t walker) {
 EMSCRIPTEN_KEEPALIVE const std::uint8_t* sgWalksGlb() {
   const AppState& state = page().app->state();
   page().bytes.clear();
-  std::vector<const Clip*> walks;
+  std::vector<WalkerClip> walks;
   for (std::size_t walker = 0; const Plan* const plan = state.planOf(walker); ++walker)
-    if (plan->walk.frameCount() > 0) walks.push_back(&plan->walk);
-  if (!walks.empty()) page().bytes = writeGlb(state.library->skeleton, walks);
+    if (plan->walk.frameCount() > 0) walks.push_back({&plan->walk, walker});
+  if (!walks.empty()) page().bytes = writeGlb(state.library->skeleton, page().app->body(), walks);
   return page().bytes.data();
 }
 /// Size of the file asked for last.

@@ -25,6 +25,12 @@ Clip clipOf(const MotionLibrary& library, const LibraryClip& range) {
           {frames.rotations.begin() + first * joints, frames.rotations.begin() + end * joints}};
 }
 
+bool showSameFrames(const Clip& a, const Clip& b) {
+  return a.rootPositions == b.rootPositions &&
+         std::equal(a.rotations.begin(), a.rotations.end(), b.rotations.begin(), b.rotations.end(),
+                    [](const Quat& p, const Quat& q) { return p.coeffs() == q.coeffs(); });
+}
+
 }  // namespace
 
 ClipIntake::ClipIntake(const Skeleton& skeleton, const LibraryParams& params)
@@ -50,12 +56,39 @@ void ClipIntake::add(const Clip& clip, Warnings& warnings) {
                                     "and after: cut there",
                                     skeleton_.joints[glitch.joint.value].name, glitch.turn.degrees(),
                                     glitch.frame, glitch.frame + 1),
-                        {clip.name}});
+                        {clip.name},
+                        WarningTopic::kMotion});
   }
-  for (Clip& piece : cutAtGlitches(atRate, glitches)) {
-    addRounded(std::move(piece));
-    ++originals_;
+  const bool nameTaken = isNameTaken(clip.name);
+  const std::size_t before = originals_;
+  for (Clip& piece : cutAtGlitches(atRate, glitches)) addOriginal(std::move(piece), warnings);
+  if (nameTaken && originals_ > before)
+    warnings.push_back({"another clip has this name, too; both are kept", {clip.name}, WarningTopic::kText});
+}
+
+void ClipIntake::addOriginal(Clip clip, Warnings& warnings) {
+  roundToFloats(skeleton_, clip);
+  if (!clips_.empty()) level(clip, warnings);
+  if (const Clip* same = sameFramesAs(clip)) {
+    warnings.push_back(
+        {fmt::format("shows the same {} frames as {}: left out", clip.frameCount(), same->name),
+         {clip.name},
+         WarningTopic::kMotion});
+    return;
   }
+  clips_.push_back(std::move(clip));
+  inBase_.emplace_back();
+  ++originals_;
+}
+
+bool ClipIntake::isNameTaken(const std::string& name) const {
+  return std::any_of(clips_.begin(), clips_.end(), [&](const Clip& clip) { return clip.name == name; });
+}
+
+const Clip* ClipIntake::sameFramesAs(const Clip& clip) const {
+  const auto same = std::find_if(clips_.begin(), clips_.end(),
+                                 [&](const Clip& other) { return showSameFrames(other, clip); });
+  return same == clips_.end() ? nullptr : &*same;
 }
 
 void ClipIntake::addRounded(Clip clip) {
@@ -68,14 +101,13 @@ double ClipIntake::floorOf(const Clip& clip) const {
   return floorLevelMetres(skeleton_, clip, joints_);
 }
 
-void ClipIntake::level(std::size_t c, Warnings& warnings) {
+void ClipIntake::level(Clip& clip, Warnings& warnings) {
   if (!floorMetres_) floorMetres_ = floorOf(clips_.front());
-  if (c == 0 || inBase_[c]) return;
-  const double liftMetres = floorLiftMetres(*floorMetres_, floorOf(clips_[c]));
+  const double liftMetres = floorLiftMetres(*floorMetres_, floorOf(clip));
   if (liftMetres == 0.0) return;
-  for (Vec3& root : clips_[c].rootPositions) root.y() += liftMetres;
-  roundToFloats(skeleton_, clips_[c]);
-  warnings.push_back(liftWarning(clips_[c].name, liftMetres));
+  for (Vec3& root : clip.rootPositions) root.y() += liftMetres;
+  roundToFloats(skeleton_, clip);
+  warnings.push_back(liftWarning(clip.name, liftMetres));
 }
 
 Result<void> ClipIntake::findMirror() {
@@ -101,12 +133,20 @@ void ClipIntake::addMirrorOf(std::size_t c) {
     inBase_.back() = baseOriginals_ + c;
 }
 
+void ClipIntake::collect(MotionLibrary& library) const {
+  library.frames.framesPerSecond = params_.framesPerSecond;
+  library.frames.jointCount = skeleton_.size();
+  for (std::size_t c = 0; c < clips_.size(); ++c) {
+    const Clip& clip = clips_[c];
+    library.clips.push_back({clip.name, static_cast<std::uint32_t>(library.frames.frameCount()),
+                             static_cast<std::uint32_t>(clip.frameCount()), isMirrored(c)});
+    for (std::size_t f = 0; f < clip.frameCount(); ++f) library.frames.append(clip.pose(f));
+  }
+}
+
 bool ClipIntake::isAsInBase(const Clip& clip, std::size_t baseClip) const {
   if (baseClip >= base_->clips.size() || base_->clips[baseClip].frameCount != clip.frameCount()) return false;
-  const Clip known = clipOf(*base_, base_->clips[baseClip]);
-  return known.rootPositions == clip.rootPositions &&
-         std::equal(known.rotations.begin(), known.rotations.end(), clip.rotations.begin(),
-                    [](const Quat& a, const Quat& b) { return a.coeffs() == b.coeffs(); });
+  return showSameFrames(clipOf(*base_, base_->clips[baseClip]), clip);
 }
 
 KnownRegions ClipIntake::takeKnown() {

@@ -23,14 +23,17 @@ class ClipIntake {
   /// Begins with the clips of a library that has the same params.
   explicit ClipIntake(MotionLibrary base);
 
-  /// Takes in a clip, or what is left of it without its glitches; says so in `warnings`.
+  /// Takes in a clip, or what is left of it without its glitches, and brings it to the first clip's floor if
+  /// it lies more than a centimetre off. Frames that a clip shows already are left out. Says so in
+  /// `warnings`.
   void add(const Clip& clip, Warnings& warnings);
-  /// Brings clip c to the first clip's floor if it lies more than a centimetre off; says so in `warnings`.
-  void level(std::size_t c, Warnings& warnings);
-  /// Once all clips are in and level; fails as findMirrorMap() does.
+  /// Once all clips are in; fails as findMirrorMap() does.
   Result<void> findMirror();
   /// Adds the mirror image of clip c.
   void addMirrorOf(std::size_t c);
+
+  /// Writes the clips into a library: its frames and where each clip lies among them.
+  void collect(MotionLibrary& library) const;
 
   const std::vector<Clip>& clips() const { return clips_; }
   bool isMirrored(std::size_t c) const { return c >= originals_; }
@@ -42,6 +45,10 @@ class ClipIntake {
 
  private:
   void addRounded(Clip clip);
+  void addOriginal(Clip clip, Warnings& warnings);
+  void level(Clip& clip, Warnings& warnings);
+  bool isNameTaken(const std::string& name) const;
+  const Clip* sameFramesAs(const Clip& clip) const;
   double floorOf(const Clip& clip) const;
   bool isAsInBase(const Clip& clip, std::size_t baseClip) const;
 

@@ -13,16 +13,24 @@ double rounded(double value) {
   return static_cast<double>(static_cast<float>(value));
 }
 
+bool isSameRate(double clipRate, double libraryRate) {
+  constexpr double kSameRate = 0.005;
+  return std::abs(clipRate / libraryRate - 1.0) <= kSameRate;
+}
+
 }  // namespace
 
 Clip atLibraryRate(const Clip& clip, double framesPerSecond) {
-  constexpr double kSameRate = 0.005;
-  if (std::abs(clip.framesPerSecond / framesPerSecond - 1.0) > kSameRate)
-    return resample(clip, framesPerSecond);
+  if (!isSameRate(clip.framesPerSecond, framesPerSecond)) return resample(clip, framesPerSecond);
   Clip same = clip;
   same.framesPerSecond = framesPerSecond;
   makeSignsContinuous(same);
   return same;
+}
+
+std::size_t frameCountAtLibraryRate(const Clip& clip, double framesPerSecond) {
+  if (isSameRate(clip.framesPerSecond, framesPerSecond)) return clip.frameCount();
+  return resampledFrameCount(clip.frameCount(), clip.framesPerSecond, framesPerSecond);
 }
 
 double floorLiftMetres(double libraryFloorMetres, double clipFloorMetres) {
@@ -35,7 +43,8 @@ Warning liftWarning(const std::string& clipName, double liftMetres) {
   return {fmt::format("its floor lies {:.1f} cm {} that of the first clip; it was {} to that",
                       100.0 * std::abs(liftMetres), liftMetres < 0.0 ? "above" : "below",
                       liftMetres < 0.0 ? "lowered" : "raised"),
-          {clipName}};
+          {clipName},
+          WarningTopic::kMotion};
 }
 
 void roundToFloats(const Skeleton& skeleton, Clip& clip) {

@@ -13,6 +13,9 @@ namespace stridegraph {
 /// file's rounded frame time does not blur what was captured.
 Clip atLibraryRate(const Clip& clip, double framesPerSecond);
 
+/// How many frames atLibraryRate() gives.
+std::size_t frameCountAtLibraryRate(const Clip& clip, double framesPerSecond);
+
 /// How far a clip has to be lifted to the library's floor: nothing where it is within a centimetre of it.
 /// Metres.
 double floorLiftMetres(double libraryFloorMetres, double clipFloorMetres);

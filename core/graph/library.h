@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/error.h"
 #include "graph/motion_graph.h"
 #include "math/floor_transform.h"
 #include "motion/bvh_layout.h"
@@ -70,8 +71,12 @@ struct MotionLibrary {
   double floorHeightMetres = 0.0;         ///< Lowest level that the feet keep to.
 
   LibraryParams params;
-  std::string license;     ///< A line on where the clips come from and on what terms; may be empty.
-  std::uint64_t hash = 0;  ///< Of its .sgraph bytes; the same library has the same hash everywhere.
+  std::string license;  ///< A line on where the clips come from and on what terms; may be empty.
+  /// What was odd about its clips and what the graph lacks, kept so that it can be read wherever the library
+  /// is. At most kMostLibraryNotes (library_limits.h).
+  Warnings notes;
+  /// Of its .sgraph bytes without the notes; the same library has the same hash everywhere.
+  std::uint64_t hash = 0;
 
   /// Where the body stands and looks at a frame: floor point of the root, and facing (heading -
   /// facingOffset).

@@ -3,38 +3,29 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include "base/check.h"
+#include "base/utf8.h"
+#include "graph/build_advice.h"
+#include "graph/build_trials.h"
+#include "graph/clip_faults.h"
 #include "graph/clip_intake.h"
 #include "graph/jerks.h"
 #include "graph/library_checks.h"
 #include "graph/library_connection.h"
+#include "graph/library_limits.h"
+#include "graph/library_notes.h"
 #include "graph/pose_distance.h"
 #include "graph/sgraph_file.h"
+#include "graph/stages.h"
 #include "graph/transition_scan.h"
 #include "motion/contacts.h"
 #include "motion/facing.h"
 
 namespace stridegraph {
 namespace {
-
-constexpr const char* kNoClips = "no clips, at least one expected";
-
-enum class Stage {
-  kPrepare,
-  kMeasure,
-  kLevel,
-  kMirror,
-  kFeatures,
-  kScan,
-  kJerks,
-  kConnect,
-  kLevels,
-  kContacts,
-  kSeal,
-  kDone
-};
 
 ValleyParams valleyParams(const LibraryParams& params) {
   return {.thresholdMetres = params.thresholdMetres,
@@ -43,33 +34,14 @@ ValleyParams valleyParams(const LibraryParams& params) {
           .largestSpanRatio = params.largestSpanRatio};
 }
 
-/// What a clip's skeleton has to be, and whose that is.
-struct ExpectedSkeleton {
-  const Skeleton& skeleton;
-  std::string owner;
-};
-
-std::optional<Error> faultInClip(const BvhDocument& document, const ExpectedSkeleton& expected) {
-  const std::string& name = document.clip.name;
-  if (const auto fault = faultIn(document.skeleton))
-    return Error{ErrorCode::kInvalidArgument, *fault, {name}};
-  const std::string difference = differenceBetween(expected.skeleton, document.skeleton);
-  if (!difference.empty())
-    return Error{ErrorCode::kSkeletonMismatch,
-                 fmt::format("its skeleton is not that of {}: {}", expected.owner, difference),
-                 {name}};
-  if (const auto fault = faultIn(document.skeleton, document.clip))
-    return Error{ErrorCode::kInvalidArgument, *fault, {name}};
-  if (document.clip.frameCount() == 0)
-    return Error{ErrorCode::kInvalidArgument, "a clip without frames", {name}};
-  return {};
+std::optional<Error> faultInLicense(const std::string& license) {
+  if (license.size() <= kMostLicenseBytes) return {};
+  return Error{ErrorCode::kInvalidArgument, fmt::format("a licence line of {} bytes, at most {} expected",
+                                                        license.size(), kMostLicenseBytes)};
 }
 
-std::optional<Error> faultInClips(const std::vector<BvhDocument>& clips, const ExpectedSkeleton& expected) {
-  for (const BvhDocument& document : clips) {
-    if (auto error = faultInClip(document, expected)) return error;
-  }
-  return {};
+double shareOf(std::size_t done, std::size_t all) {
+  return done >= all ? 1.0 : static_cast<double>(done) / static_cast<double>(all);
 }
 
 }  // namespace
@@ -85,115 +57,126 @@ struct LibraryBuilder::State {
   std::vector<ClipFeatures> features;
   std::optional<TransitionScan> scan;
   std::vector<Jerk> jerks;
+  std::optional<BuildTrials> trials;
   std::optional<Error> error;
-  Stage stage = Stage::kPrepare;
-  std::size_t next = 0;  ///< Clip at hand in stages that go clip by clip.
+  std::size_t next = 0;  ///< Clip or joint at hand in stages that go one by one.
+  StageRow<State> stages;
 
-  explicit State(ClipIntake clipIntake) : intake(std::move(clipIntake)) {}
-  void prepareOne();
-  void measure();
-  void levelOne();
-  void mirrorOne();
-  void featuresOfOne();
-  void jerksOfOne();
+  explicit State(ClipIntake clipIntake) : intake(std::move(clipIntake)), stages(allStages()) {}
+  static std::span<const Stage<State>> allStages();
+
+  /// Each is a stage: does a piece of it, and returns which share of it is done.
+  double prepareOne();
+  double checkLengths();
+  double findMirror();
+  double mirrorOne();
+  double featuresOfOne();
+  double compare();
+  double jerksOfOne();
+  double connect();
+  double tryWhatHelps();
+  double footLevelsOfOne();
+  double contactsOfOne();
+  double seal();
+
   void warnOfJerks();
-  void connect();
-  void collectFrames();
-  void levelsOfOne();
-  void contactsOfOne();
-  void seal();
   const std::vector<Clip>& clips() const { return intake.clips(); }
-  void enter(Stage following) {
-    stage = following;
+  /// Goes on to the next of so many clips or joints; after the last, begins anew for the next stage.
+  double advance(std::size_t count) {
+    if (++next < count) return shareOf(next, count);
     next = 0;
+    return 1.0;
   }
-  void refuse(ErrorCode code, std::string message) {
+  double refuse(ErrorCode code, std::string message) {
     error = Error{code, std::move(message)};
-    stage = Stage::kDone;
+    stages.end();
+    return 1.0;
   }
 };
 
-void LibraryBuilder::State::prepareOne() {
+std::span<const Stage<LibraryBuilder::State>> LibraryBuilder::State::allStages() {
+  // Comparing takes nearly all of the time.
+  static constexpr std::array<Stage<State>, 12> kStages = {{{0.05, &State::prepareOne},
+                                                            {0.00, &State::checkLengths},
+                                                            {0.00, &State::findMirror},
+                                                            {0.01, &State::mirrorOne},
+                                                            {0.04, &State::featuresOfOne},
+                                                            {0.76, &State::compare},
+                                                            {0.01, &State::jerksOfOne},
+                                                            {0.01, &State::connect},
+                                                            {0.04, &State::tryWhatHelps},
+                                                            {0.03, &State::footLevelsOfOne},
+                                                            {0.03, &State::contactsOfOne},
+                                                            {0.02, &State::seal}}};
+  return kStages;
+}
+
+double LibraryBuilder::State::prepareOne() {
   BvhDocument& document = documents[next];
   report.warnings.insert(report.warnings.end(), document.warnings.begin(), document.warnings.end());
   intake.add(document.clip, report.warnings);
   document = {};
-  if (++next == documents.size()) enter(Stage::kMeasure);
+  return advance(documents.size());
 }
 
-void LibraryBuilder::State::measure() {
-  const std::size_t needed = library.params.transitionFrames + 2 * kWindowReach;
+double LibraryBuilder::State::checkLengths() {
+  const LibraryParams& params = library.params;
+  const std::size_t needed = params.transitionFrames + 2 * kWindowReach;
   std::size_t longest = 0;
   for (const Clip& clip : clips()) longest = std::max(longest, clip.frameCount());
-  if (longest < needed)
-    return refuse(ErrorCode::kClipTooShort,
-                  fmt::format("the longest clip has {} frames; transitions of {} need clips of {} at least",
-                              longest, library.params.transitionFrames, needed));
-  enter(Stage::kLevel);
+  if (longest >= needed) return 1.0;
+  const auto seconds = [&](std::size_t frames) {
+    return static_cast<double>(frames) / params.framesPerSecond;
+  };
+  return refuse(
+      ErrorCode::kClipTooShort,
+      fmt::format("the longest clip has {} frames ({:.2f} s at {:.4g} a second); transitions of {} need "
+                  "clips of {} ({:.2f} s) at least",
+                  longest, seconds(longest), params.framesPerSecond, params.transitionFrames, needed,
+                  seconds(needed)));
 }
 
-void LibraryBuilder::State::levelOne() {
-  intake.level(next, report.warnings);
-  if (++next < clips().size()) return;
-  if (!library.params.mirror) return enter(Stage::kFeatures);
+double LibraryBuilder::State::findMirror() {
+  if (!library.params.mirror) return 1.0;
   if (const Result<void> found = intake.findMirror(); !found)
     return refuse(found.error().code, found.error().message);
-  enter(Stage::kMirror);
+  return 1.0;
 }
 
-void LibraryBuilder::State::mirrorOne() {
+double LibraryBuilder::State::mirrorOne() {
+  if (!library.params.mirror) return 1.0;
   intake.addMirrorOf(next);
-  if (++next == intake.originals()) enter(Stage::kFeatures);
+  return advance(intake.originals());
 }
 
-void LibraryBuilder::State::featuresOfOne() {
+double LibraryBuilder::State::featuresOfOne() {
   if (next == 0) basis = featureBasis(library.skeleton, clips());
   features.emplace_back(library.skeleton, basis, clips()[next]);
-  if (++next < clips().size()) return;
-  scan.emplace(std::move(features), valleyParams(library.params), intake.takeKnown());
-  enter(Stage::kScan);
+  const double share = advance(clips().size());
+  if (share == 1.0) scan.emplace(std::move(features), valleyParams(library.params), intake.takeKnown());
+  return share;
 }
 
-void LibraryBuilder::State::collectFrames() {
-  library.frames.framesPerSecond = library.params.framesPerSecond;
-  library.frames.jointCount = library.skeleton.size();
-  for (std::size_t c = 0; c < clips().size(); ++c) {
-    const Clip& clip = clips()[c];
-    library.clips.push_back({clip.name, static_cast<std::uint32_t>(library.frames.frameCount()),
-                             static_cast<std::uint32_t>(clip.frameCount()), intake.isMirrored(c)});
-    for (std::size_t f = 0; f < clip.frameCount(); ++f) library.frames.append(clip.pose(f));
-  }
+double LibraryBuilder::State::compare() {
+  const bool goesOn = scan->step();
+  report.framePairs = scan->framePairs();
+  if (auto fault = faultInRegionCount(scan->regionCount()))
+    return refuse(ErrorCode::kInvalidArgument, *std::move(fault));
+  if (!goesOn) return 1.0;
+  // The last piece of work alone ends the stage.
+  return std::min(scan->progress(), 0.999);
 }
 
-void LibraryBuilder::State::levelsOfOne() {
-  levels.push_back(jointLevelsMetres(library.skeleton, clips()[next]));
-  if (++next < clips().size()) return;
-  feet = findFootJoints(library.skeleton, levels);
-  enter(Stage::kContacts);
-}
-
-void LibraryBuilder::State::contactsOfOne() {
-  const std::vector<std::uint8_t> contacts = footContacts(library.skeleton, clips()[next], feet);
-  library.contacts.insert(library.contacts.end(), contacts.begin(), contacts.end());
-  if (++next == clips().size()) enter(Stage::kSeal);
-}
-
-void LibraryBuilder::State::seal() {
-  library.facingOffset = facingOffset(clips());
-  library.contactJoints = feet.joints;
-  library.floorHeightMetres = *std::min_element(feet.levelsMetres.begin(), feet.levelsMetres.end());
-  library.hash = sgraphHash(library);
-  enter(Stage::kDone);
-}
-
-void LibraryBuilder::State::jerksOfOne() {
-  if (next == 0) collectFrames();
+double LibraryBuilder::State::jerksOfOne() {
+  if (next == 0) intake.collect(library);
   const std::vector<Jerk> found = findJerks(library, JointIndex(next));
   jerks.insert(jerks.end(), found.begin(), found.end());
-  if (++next < library.skeleton.size()) return;
-  jerks = farthestByFrame(std::move(jerks));
-  warnOfJerks();
-  enter(Stage::kConnect);
+  const double share = advance(library.skeleton.size());
+  if (share == 1.0) {
+    jerks = farthestByFrame(std::move(jerks));
+    warnOfJerks();
+  }
+  return share;
 }
 
 void LibraryBuilder::State::warnOfJerks() {
@@ -205,15 +188,57 @@ void LibraryBuilder::State::warnOfJerks() {
         {fmt::format("joint {} slips by {:.0f} degrees from frame {} to {}, more than "
                      "it turns anywhere else: nothing plays across that",
                      library.skeleton.joints[jerk.joint.value].name, jerk.turn.degrees(), frame, frame + 1),
-         {clip.name}});
+         {clip.name},
+         WarningTopic::kGraph});
   }
 }
 
-void LibraryBuilder::State::connect() {
+double LibraryBuilder::State::connect() {
   library.regions = scan->take();
-  const Result<void> connected = connectLibrary(library, jerks, report);
-  if (!connected) return refuse(connected.error().code, connected.error().message);
-  enter(Stage::kLevels);
+  scan.reset();
+  connectLibrary(library, jerks, report);
+  const bool isEmpty = library.graph.nodes.empty();
+  const bool isThinned = report.transitions < report.transitionsBeforeThinning;
+  if (isEmpty) {
+    trials.emplace(intake, library, jerks, BuildTrials::Params{.triesMirror = !library.params.mirror});
+  } else if (report.survivingShare < kTinyShare && !isThinned) {
+    trials.emplace(intake, library, jerks, BuildTrials::Params{.leastShare = kUsefulShare});
+  }
+  return 1.0;
+}
+
+double LibraryBuilder::State::tryWhatHelps() {
+  if (trials && trials->step()) return std::min(trials->progress(), 0.999);
+  const TrialFindings findings = trials ? trials->findings() : TrialFindings{};
+  if (library.graph.nodes.empty())
+    return refuse(ErrorCode::kEmptyGraph, adviceOnNoGraph(library, report, findings));
+  trials.reset();
+  const Warnings limits = limitsOf(library, report, findings);
+  report.warnings.insert(report.warnings.end(), limits.begin(), limits.end());
+  return 1.0;
+}
+
+double LibraryBuilder::State::footLevelsOfOne() {
+  levels.push_back(jointLevelsMetres(library.skeleton, clips()[next]));
+  const double share = advance(clips().size());
+  if (share == 1.0) feet = findFootJoints(library.skeleton, levels);
+  return share;
+}
+
+double LibraryBuilder::State::contactsOfOne() {
+  const std::vector<std::uint8_t> contacts = footContacts(library.skeleton, clips()[next], feet);
+  library.contacts.insert(library.contacts.end(), contacts.begin(), contacts.end());
+  return advance(clips().size());
+}
+
+double LibraryBuilder::State::seal() {
+  library.facingOffset = facingOffset(clips());
+  library.contactJoints = feet.joints;
+  library.floorHeightMetres = *std::min_element(feet.levelsMetres.begin(), feet.levelsMetres.end());
+  library.hash = sgraphHash(library);
+  library.notes.insert(library.notes.end(), report.warnings.begin(), report.warnings.end());
+  library.notes = keepableNotes(library.notes);
+  return 1.0;
 }
 
 LibraryBuilder::LibraryBuilder(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -224,9 +249,10 @@ LibraryBuilder::~LibraryBuilder() = default;
 Result<LibraryBuilder> LibraryBuilder::start(std::vector<BvhDocument> clips, const LibraryParams& params,
                                              std::string license) {
   if (const auto fault = faultIn(params)) return fail(ErrorCode::kInvalidArgument, *fault);
-  if (clips.empty()) return fail(ErrorCode::kInvalidArgument, kNoClips);
-  if (auto error = faultInClips(clips, {clips.front().skeleton, clips.front().clip.name}))
-    return tl::unexpected<Error>(*std::move(error));
+  license = toUtf8(license);
+  if (auto error = faultInLicense(license)) return tl::unexpected<Error>(*std::move(error));
+  for (BvhDocument& document : clips) makeTextsUtf8(document);
+  if (auto error = faultInClips(clips, params)) return tl::unexpected<Error>(*std::move(error));
   auto state = std::make_unique<State>(ClipIntake(clips.front().skeleton, params));
   state->library.skeleton = clips.front().skeleton;
   state->library.layout = clips.front().layout;
@@ -238,14 +264,16 @@ Result<LibraryBuilder> LibraryBuilder::start(std::vector<BvhDocument> clips, con
 
 Result<LibraryBuilder> LibraryBuilder::append(MotionLibrary library, std::vector<BvhDocument> clips,
                                               std::string license) {
-  if (clips.empty()) return fail(ErrorCode::kInvalidArgument, kNoClips);
-  if (auto error = faultInClips(clips, {library.skeleton, "the library"}))
-    return tl::unexpected<Error>(*std::move(error));
+  license = toUtf8(license);
+  if (auto error = faultInLicense(license)) return tl::unexpected<Error>(*std::move(error));
+  for (BvhDocument& document : clips) makeTextsUtf8(document);
+  if (auto error = faultInClips(clips, library)) return tl::unexpected<Error>(*std::move(error));
   MotionLibrary next;
   next.skeleton = library.skeleton;
   next.layout = library.layout;
   next.params = library.params;
   next.license = license.empty() ? library.license : std::move(license);
+  next.notes = notesThatStay(library.notes);
   auto state = std::make_unique<State>(ClipIntake(std::move(library)));
   state->library = std::move(next);
   state->documents = std::move(clips);
@@ -253,84 +281,15 @@ Result<LibraryBuilder> LibraryBuilder::append(MotionLibrary library, std::vector
 }
 
 bool LibraryBuilder::step() {
-  State& state = *state_;
-  switch (state.stage) {
-    case Stage::kPrepare:
-      state.prepareOne();
-      break;
-    case Stage::kMeasure:
-      state.measure();
-      break;
-    case Stage::kLevel:
-      state.levelOne();
-      break;
-    case Stage::kMirror:
-      state.mirrorOne();
-      break;
-    case Stage::kFeatures:
-      state.featuresOfOne();
-      break;
-    case Stage::kScan:
-      if (!state.scan->step()) state.enter(Stage::kJerks);
-      state.report.framePairs = state.scan->framePairs();
-      break;
-    case Stage::kJerks:
-      state.jerksOfOne();
-      break;
-    case Stage::kConnect:
-      state.connect();
-      break;
-    case Stage::kLevels:
-      state.levelsOfOne();
-      break;
-    case Stage::kContacts:
-      state.contactsOfOne();
-      break;
-    case Stage::kSeal:
-      state.seal();
-      break;
-    case Stage::kDone:
-      break;
-  }
-  return state.stage != Stage::kDone;
+  return state_->stages.step(*state_);
 }
 
 double LibraryBuilder::progress() const {
-  // Comparing takes nearly all of the time; what comes before gets a tenth.
-  const auto share = [&](std::size_t of) {
-    return static_cast<double>(state_->next) / static_cast<double>(of);
-  };
-  switch (state_->stage) {
-    case Stage::kPrepare:
-      return 0.04 * share(state_->documents.size());
-    case Stage::kMeasure:
-      return 0.04;
-    case Stage::kLevel:
-      return 0.04 + 0.01 * share(state_->clips().size());
-    case Stage::kMirror:
-      return 0.05;
-    case Stage::kFeatures:
-      return 0.05 + 0.05 * share(state_->clips().size());
-    case Stage::kScan:
-      return 0.1 + 0.8 * state_->scan->progress();
-    case Stage::kJerks:
-      return 0.9 + 0.01 * share(state_->library.skeleton.size());
-    case Stage::kConnect:
-      return 0.91;
-    case Stage::kLevels:
-      return 0.92 + 0.03 * share(state_->clips().size());
-    case Stage::kContacts:
-      return 0.95 + 0.03 * share(state_->clips().size());
-    case Stage::kSeal:
-      return 0.98;
-    case Stage::kDone:
-      break;
-  }
-  return 1.0;
+  return state_->stages.progress();
 }
 
 Result<MotionLibrary> LibraryBuilder::finish() {
-  STRIDEGRAPH_CHECK(state_->stage == Stage::kDone);
+  STRIDEGRAPH_CHECK(state_->stages.isDone());
   if (state_->error) return tl::unexpected<Error>(*state_->error);
   return std::move(state_->library);
 }

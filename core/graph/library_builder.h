@@ -7,46 +7,27 @@
 #include <vector>
 
 #include "base/result.h"
+#include "graph/build_report.h"
 #include "graph/library.h"
 #include "motion/bvh_reader.h"
 
 namespace stridegraph {
 
-/// What became of a clip.
-struct ClipFate {
-  std::string name;
-  std::size_t frames = 0;
-  std::size_t transitions = 0;      ///< Found between it and any clip before pruning.
-  std::size_t survivingFrames = 0;  ///< Frames on edges of the library's graph.
-  std::string reason;               ///< Why not all of it survives; empty when it does.
-};
-
-/// What building found, kept and dropped, and why.
-struct BuildReport {
-  std::size_t framePairs =
-      0;  ///< Compared so far; pairs that an appended library knew already not among them.
-  std::size_t nodesBeforePruning = 0, clipPiecesBeforePruning = 0, transitionsBeforePruning = 0;
-  std::size_t nodes = 0, clipPieces = 0, transitions = 0;
-  /// Transitions after pruning and before thinning: more than `transitions` where the library's limit
-  /// (LibraryParams::mostTransitions) left some out.
-  std::size_t transitionsBeforeThinning = 0;
-  double survivingShare = 0.0;  ///< Of all frames.
-  std::vector<ClipFate> clips;
-  Warnings warnings;
-};
-
 /// Builds a library step by step, so that a caller may show progress, keep a page alive, or stop by not going
-/// on.
+/// on. The number of steps is finite whatever the clips: amounts are limited (library_limits.h).
 class LibraryBuilder {
  public:
-  /// Takes the clips in; refuses those that cannot make up one library, with the reason.
+  /// Takes the clips in; refuses those that cannot make up one library, with the reason (clip_faults.h),
+  /// or are more than library_limits.h allows.
+  /// Texts that are not UTF-8 become so (toUtf8()). The report's warnings are kept as the library's notes.
   static Result<LibraryBuilder> start(std::vector<BvhDocument> clips, const LibraryParams& params,
                                       std::string license = {});
 
   /// Goes on from a library: its clips, params and, unless another is given, its licence line stay. The
   /// result is the same, bit for bit, as of start() with the library's clips and then these; but only new
   /// frames are compared, with old and new ones. Where the mirror images of the library's clips change
-  /// (ClipIntake), they are new, too.
+  /// (ClipIntake), they are new, too. Notes stay, but for those on the library as a whole, which are made
+  /// anew.
   static Result<LibraryBuilder> append(MotionLibrary library, std::vector<BvhDocument> clips,
                                        std::string license = {});
 
@@ -56,9 +37,10 @@ class LibraryBuilder {
 
   /// Does a bounded piece of work (some milliseconds). False when nothing is left to do.
   bool step();
-  /// Share done, 0..1.
+  /// Share done, 0..1. It never falls.
   double progress() const;
-  /// The library, once step() has said false; empties the builder.
+  /// The library, once step() has said false; empties the builder. Fails with kClipTooShort, or with
+  /// kEmptyGraph and what would help, in figures (build_advice.h).
   Result<MotionLibrary> finish();
   const BuildReport& report() const;
 

@@ -5,7 +5,10 @@
 #include <cmath>
 #include <tuple>
 
+#include "base/utf8.h"
 #include "graph/graph_building.h"
+#include "graph/library_limits.h"
+#include "motion/bvh_still_part.h"
 
 namespace stridegraph {
 namespace {
@@ -126,6 +129,36 @@ Fault faultInRegions(const MotionLibrary& library) {
   return {};
 }
 
+Fault faultInAmounts(const MotionLibrary& library) {
+  struct Amount {
+    const char* things;
+    std::size_t found;
+    std::size_t most;
+  };
+  const Amount amounts[] = {{"clips", library.clips.size(), kMostLibraryClips},
+                            {"frames", library.frames.frameCount(), kMostLibraryFrames},
+                            {"rotations", library.frames.rotations.size(), kMostLibraryRotations},
+                            {"regions", library.regions.size(), kMostLibraryRegions},
+                            {"notes", library.notes.size(), kMostLibraryNotes},
+                            {"bytes of licence", library.license.size(), kMostLicenseBytes}};
+  for (const Amount& amount : amounts) {
+    if (amount.found > amount.most)
+      return fmt::format("{} {}, at most {} expected", amount.found, amount.things, amount.most);
+  }
+  return {};
+}
+
+Fault faultInNotes(const MotionLibrary& library) {
+  for (std::size_t n = 0; n < library.notes.size(); ++n) {
+    for (const std::string* text : {&library.notes[n].message, &library.notes[n].place.file}) {
+      if (text->size() > kMostNoteBytes)
+        return fmt::format("note {} of {} bytes, at most {} expected", n, text->size(), kMostNoteBytes);
+      if (!isUtf8(*text)) return fmt::format("note {} is not UTF-8", n);
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
 Fault faultIn(const LibraryParams& params) {
@@ -182,6 +215,8 @@ Fault faultIn(const Skeleton& skeleton, const Clip& clip) {
 
 Fault faultIn(const MotionLibrary& library) {
   if (Fault fault = faultIn(library.params)) return fault;
+  if (Fault fault = faultInAmounts(library)) return fault;
+  if (Fault fault = faultInNotes(library)) return fault;
   if (Fault fault = faultIn(library.skeleton)) return fault;
   if (Fault fault = faultIn(library.skeleton, library.frames)) return fault;
   if (library.frames.framesPerSecond != library.params.framesPerSecond)
@@ -189,6 +224,7 @@ Fault faultIn(const MotionLibrary& library) {
                        library.params.framesPerSecond);
   if (!(library.layout.unitsPerMetre > 0.0) || !std::isfinite(library.layout.unitsPerMetre))
     return fmt::format("{} units in a metre, more than 0 expected", library.layout.unitsPerMetre);
+  if (std::string fault = faultIn(library.layout.still); !fault.empty()) return fault;
   if (Fault fault = faultInClips(library)) return fault;
   if (Fault fault = faultInContacts(library)) return fault;
   const Heading& facing = library.facingOffset;

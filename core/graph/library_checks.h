@@ -14,7 +14,7 @@ std::optional<std::string> faultIn(const LibraryParams& params);
 std::optional<std::string> faultIn(const Skeleton& skeleton);
 /// Right number of rotations; positions within 1e6 m; rotations of unit length within 1e-3; a rate > 0.
 std::optional<std::string> faultIn(const Skeleton& skeleton, const Clip& clip);
-/// Everything, indices and order included, and the graph strongly connected.
+/// Everything, indices, order and amounts (library_limits.h) included, and the graph strongly connected.
 std::optional<std::string> faultIn(const MotionLibrary& library);
 
 }  // namespace stridegraph

@@ -18,28 +18,53 @@ using Fault = std::optional<std::string>;
 /// Smaller than any library: identifier, root and the fields of an empty one.
 constexpr std::size_t kLeastBytes = 64;
 
-/// Names are UTF-8 whatever wrote the file, since reports and exports hold them.
+/// Programs before notes were kept wrote texts in any encoding.
 std::string text(const flatbuffers::String* string) {
-  return toUtf8(string->str());
+  return toUtf8({string->data(), string->size()});
+}
+
+Vec3 vectorOf(const sgraph::Offset& offset) {
+  return {offset.x(), offset.y(), offset.z()};
+}
+
+Joint jointOf(const sgraph::Joint& record) {
+  Joint joint{text(record.name()), {}, vectorOf(*record.offset()), record.is_end_site()};
+  if (record.parent() >= 0) joint.parent = JointIndex(static_cast<std::size_t>(record.parent()));
+  return joint;
+}
+
+Fault readChannels(const sgraph::Joint& record, std::vector<BvhChannel>& channels) {
+  constexpr auto kLastChannel = static_cast<std::uint8_t>(BvhChannel::kZRotation);
+  for (const std::uint8_t channel : *record.channels()) {
+    if (channel > kLastChannel) return fmt::format("channel {} is unknown", channel);
+    channels.push_back(static_cast<BvhChannel>(channel));
+  }
+  return {};
+}
+
+Fault readStillPart(const sgraph::StillPart* part, BvhStillPart& still) {
+  if (part == nullptr) return {};
+  for (const sgraph::StillJoint* record : *part->joints()) {
+    const sgraph::Turn& turn = *record->rotation();
+    BvhStillJoint& entry = still.joints.emplace_back(BvhStillJoint{jointOf(*record->joint()),
+                                                                   {turn.w(), turn.x(), turn.y(), turn.z()},
+                                                                   {},
+                                                                   text(record->joint()->end_site_name())});
+    if (Fault fault = readChannels(*record->joint(), entry.channels)) return fault;
+  }
+  still.before = part->before();
+  still.holder = part->holder();
+  still.rootOffset = vectorOf(*part->root_offset());
+  return {};
 }
 
 Fault readJoints(const sgraph::Library& file, MotionLibrary& library) {
-  constexpr auto kLastChannel = static_cast<std::uint8_t>(BvhChannel::kZRotation);
   for (const sgraph::Joint* record : *file.joints()) {
-    Joint joint{text(record->name()),
-                {},
-                {record->offset()->x(), record->offset()->y(), record->offset()->z()},
-                record->is_end_site()};
-    if (record->parent() >= 0) joint.parent = JointIndex(static_cast<std::size_t>(record->parent()));
-    library.skeleton.joints.push_back(std::move(joint));
-    std::vector<BvhChannel> channels;
-    for (const std::uint8_t channel : *record->channels()) {
-      if (channel > kLastChannel) return fmt::format("channel {} is unknown", channel);
-      channels.push_back(static_cast<BvhChannel>(channel));
-    }
-    library.layout.channels.push_back(std::move(channels));
+    library.skeleton.joints.push_back(jointOf(*record));
+    if (Fault fault = readChannels(*record, library.layout.channels.emplace_back())) return fault;
     library.layout.endSiteNames.push_back(text(record->end_site_name()));
   }
+  if (Fault fault = readStillPart(file.still(), library.layout.still)) return fault;
   if (file.up() > static_cast<std::uint8_t>(UpAxis::kZ))
     return fmt::format("up axis {} is unknown", file.up());
   library.layout.unitsPerMetre = file.units_per_metre();
@@ -131,6 +156,27 @@ void readRest(const sgraph::Library& file, MotionLibrary& library) {
   library.hash = file.hash();
 }
 
+void readNotes(const sgraph::Library& file, MotionLibrary& library) {
+  if (file.notes() == nullptr) return;
+  for (const sgraph::Note* record : *file.notes()) {
+    // A newer program may know more topics.
+    const bool known = record->topic() < kAllWarningTopics.size();
+    library.notes.push_back({text(record->message()),
+                             {text(record->file()), static_cast<std::size_t>(record->line()),
+                              static_cast<std::size_t>(record->column())},
+                             known ? kAllWarningTopics[record->topic()] : WarningTopic::kOther});
+  }
+}
+
+/// Whether the hash that a field of the file holds is that of all other bytes.
+bool hashHolds(const std::vector<std::uint8_t>& bytes, flatbuffers::voffset_t field) {
+  const auto* table = flatbuffers::GetRoot<flatbuffers::Table>(bytes.data());
+  const std::uint8_t* place = table->GetAddressOf(field);
+  if (place == nullptr) return false;
+  const auto hash = flatbuffers::ReadScalar<std::uint64_t>(place);
+  return hashAround(bytes, static_cast<std::size_t>(place - bytes.data())) == hash;
+}
+
 /// What is wrong with the bytes as a FlatBuffers file of ours.
 std::optional<Error> faultInBytes(const std::vector<std::uint8_t>& bytes) {
   const auto damaged = [](std::string message) {
@@ -149,9 +195,8 @@ std::optional<Error> faultInBytes(const std::vector<std::uint8_t>& bytes) {
                              "build it anew from its clips",
                              file.version(), kSgraphVersion)};
   }
-  const auto* table = flatbuffers::GetRoot<flatbuffers::Table>(bytes.data());
-  const std::uint8_t* place = table->GetAddressOf(sgraph::Library::VT_HASH);
-  if (place == nullptr || hashAround(bytes, static_cast<std::size_t>(place - bytes.data())) != file.hash())
+  // With notes the library's own hash is that of other bytes; the file's covers it.
+  if (!hashHolds(bytes, file.notes() == nullptr ? sgraph::Library::VT_HASH : sgraph::Library::VT_FILE_HASH))
     return damaged("the motion library is altered: its hash does not hold");
   return {};
 }
@@ -171,6 +216,7 @@ Result<MotionLibrary> readSgraph(std::span<const std::uint8_t> bytes) {
   if (!fault) {
     readRegions(file, library);
     readRest(file, library);
+    readNotes(file, library);
     fault = faultIn(library);
   }
   if (fault) return fail(ErrorCode::kAssetDamaged, "the motion library is not sound: " + *fault);

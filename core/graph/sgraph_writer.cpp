@@ -2,6 +2,8 @@
 
 #include <cstring>
 
+#include "base/utf8.h"
+#include "graph/library_notes.h"
 #include "graph/sgraph_file.h"
 #include "graph/sgraph_hash.h"
 #include "sgraph_generated.h"
@@ -12,33 +14,53 @@ namespace {
 using flatbuffers::FlatBufferBuilder;
 using flatbuffers::Offset;
 
+Offset<flatbuffers::String> writeText(FlatBufferBuilder& builder, const std::string& text) {
+  return builder.CreateString(toUtf8(text));
+}
+
+Offset<sgraph::Joint> writeJoint(FlatBufferBuilder& builder, const Joint& joint,
+                                 const std::vector<BvhChannel>& channels, const std::string& endSiteName) {
+  std::vector<std::uint8_t> numbers;
+  for (const BvhChannel channel : channels) numbers.push_back(static_cast<std::uint8_t>(channel));
+  const sgraph::Offset offset(joint.offset.x(), joint.offset.y(), joint.offset.z());
+  const auto name = writeText(builder, joint.name);
+  const auto channelBytes = builder.CreateVector(numbers);
+  const auto endSite = writeText(builder, endSiteName);
+  return sgraph::CreateJoint(builder, name,
+                             joint.parent ? static_cast<std::int32_t>(joint.parent->value) : -1, &offset,
+                             joint.isEndSite, channelBytes, endSite);
+}
+
 std::vector<Offset<sgraph::Joint>> writeJoints(FlatBufferBuilder& builder, const MotionLibrary& library) {
+  const BvhLayout& layout = library.layout;
   std::vector<Offset<sgraph::Joint>> joints;
   for (std::size_t j = 0; j < library.skeleton.size(); ++j) {
-    const Joint& joint = library.skeleton.joints[j];
-    std::vector<std::uint8_t> channels;
-    if (j < library.layout.channels.size()) {
-      for (const BvhChannel channel : library.layout.channels[j])
-        channels.push_back(static_cast<std::uint8_t>(channel));
-    }
-    const std::string endSiteName =
-        j < library.layout.endSiteNames.size() ? library.layout.endSiteNames[j] : std::string();
-    const sgraph::Offset offset(joint.offset.x(), joint.offset.y(), joint.offset.z());
-    const auto name = builder.CreateString(joint.name);
-    const auto channelBytes = builder.CreateVector(channels);
-    const auto endSite = builder.CreateString(endSiteName);
-    joints.push_back(sgraph::CreateJoint(builder, name,
-                                         joint.parent ? static_cast<std::int32_t>(joint.parent->value) : -1,
-                                         &offset, joint.isEndSite, channelBytes, endSite));
+    joints.push_back(writeJoint(builder, library.skeleton.joints[j],
+                                j < layout.channels.size() ? layout.channels[j] : std::vector<BvhChannel>(),
+                                j < layout.endSiteNames.size() ? layout.endSiteNames[j] : std::string()));
   }
   return joints;
+}
+
+Offset<sgraph::StillPart> writeStillPart(FlatBufferBuilder& builder, const BvhStillPart& still) {
+  std::vector<Offset<sgraph::StillJoint>> joints;
+  for (const BvhStillJoint& entry : still.joints) {
+    const auto joint = writeJoint(builder, entry.joint, entry.channels, entry.endSiteName);
+    const Quat& q = entry.rotation;
+    const sgraph::Turn turn(q.w(), q.x(), q.y(), q.z());
+    joints.push_back(sgraph::CreateStillJoint(builder, joint, &turn));
+  }
+  const auto all = builder.CreateVector(joints);
+  const sgraph::Offset offset(still.rootOffset.x(), still.rootOffset.y(), still.rootOffset.z());
+  return sgraph::CreateStillPart(builder, all, static_cast<std::uint32_t>(still.before),
+                                 static_cast<std::uint32_t>(still.holder), &offset);
 }
 
 std::vector<Offset<sgraph::ClipRange>> writeClips(FlatBufferBuilder& builder, const MotionLibrary& library) {
   std::vector<Offset<sgraph::ClipRange>> clips;
   for (const LibraryClip& clip : library.clips)
     clips.push_back(
-        sgraph::CreateClipRange(builder, builder.CreateString(clip.name), clip.frameCount, clip.mirrored));
+        sgraph::CreateClipRange(builder, writeText(builder, clip.name), clip.frameCount, clip.mirrored));
   return clips;
 }
 
@@ -96,9 +118,26 @@ std::vector<std::uint32_t> contactJointNumbers(const MotionLibrary& library) {
   return joints;
 }
 
-void writeLibrary(FlatBufferBuilder& builder, const MotionLibrary& library) {
+std::vector<Offset<sgraph::Note>> writeNotes(FlatBufferBuilder& builder, const Warnings& notes) {
+  std::vector<Offset<sgraph::Note>> records;
+  for (const Warning& note : notes) {
+    const auto message = builder.CreateString(note.message);
+    const auto file = builder.CreateString(note.place.file);
+    records.push_back(sgraph::CreateNote(builder, message, file, note.place.line, note.place.column,
+                                         static_cast<std::uint8_t>(note.topic)));
+  }
+  return records;
+}
+
+/// Notes, and the hash of the library without them.
+struct NotesPart {
+  Warnings notes;
+  std::uint64_t libraryHash = 0;
+};
+
+void writeLibrary(FlatBufferBuilder& builder, const MotionLibrary& library, const NotesPart& part) {
   const auto joints = builder.CreateVector(writeJoints(builder, library));
-  const auto name = builder.CreateString(library.frames.name);
+  const auto name = writeText(builder, library.frames.name);
   const auto positions = builder.CreateVector(positionNumbers(library.frames));
   const auto rotations = builder.CreateVector(rotationNumbers(library));
   const auto clips = builder.CreateVector(writeClips(builder, library));
@@ -107,10 +146,15 @@ void writeLibrary(FlatBufferBuilder& builder, const MotionLibrary& library) {
   const auto regions = builder.CreateVectorOfStructs(regionRecords(library.regions));
   const auto contactJoints = builder.CreateVector(contactJointNumbers(library));
   const auto contacts = builder.CreateVector(library.contacts);
-  const auto license = builder.CreateString(library.license);
+  const auto license = writeText(builder, library.license);
+  Offset<flatbuffers::Vector<Offset<sgraph::Note>>> notes;
+  if (!part.notes.empty()) notes = builder.CreateVector(writeNotes(builder, part.notes));
+  // Absent where nothing stands still: libraries from before it keep their bytes, and hashes.
+  Offset<sgraph::StillPart> still;
+  if (!library.layout.still.joints.empty()) still = writeStillPart(builder, library.layout.still);
   sgraph::LibraryBuilder table(builder);
   table.add_version(kSgraphVersion);
-  table.add_hash(0);
+  table.add_hash(part.libraryHash);
   table.add_joints(joints);
   table.add_units_per_metre(library.layout.unitsPerMetre);
   table.add_up(static_cast<std::uint8_t>(library.layout.up));
@@ -136,12 +180,12 @@ void writeLibrary(FlatBufferBuilder& builder, const MotionLibrary& library) {
   if (library.params.mostTransitions != LibraryParams{}.mostTransitions)
     table.add_most_transitions(library.params.mostTransitions);
   table.add_regions(regions);
+  if (!part.notes.empty()) {
+    table.add_notes(notes);
+    table.add_file_hash(0);
+  }
+  if (!still.IsNull()) table.add_still(still);
   sgraph::FinishLibraryBuffer(builder, table.Finish());
-}
-
-std::size_t hashPlace(const std::vector<std::uint8_t>& bytes) {
-  const auto* table = flatbuffers::GetRoot<flatbuffers::Table>(bytes.data());
-  return static_cast<std::size_t>(table->GetAddressOf(sgraph::Library::VT_HASH) - bytes.data());
 }
 
 /// The bytes, and the hash that they hold.
@@ -150,27 +194,36 @@ struct Written {
   std::uint64_t hash = 0;
 };
 
-Written write(const MotionLibrary& library) {
+/// The bytes, with their hash in the field that is given.
+Written write(const MotionLibrary& library, const NotesPart& part, flatbuffers::voffset_t hashField) {
   FlatBufferBuilder builder;
   // Zeros are stored, too, so that the hash has its place.
   builder.ForceDefaults(true);
-  writeLibrary(builder, library);
+  writeLibrary(builder, library, part);
   Written written;
   written.bytes.assign(builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize());
-  const std::size_t place = hashPlace(written.bytes);
+  const auto* table = flatbuffers::GetRoot<flatbuffers::Table>(written.bytes.data());
+  const auto place = static_cast<std::size_t>(table->GetAddressOf(hashField) - written.bytes.data());
   written.hash = hashAround(written.bytes, place);
   flatbuffers::WriteScalar(written.bytes.data() + place, written.hash);
   return written;
 }
 
+Written writeWithoutNotes(const MotionLibrary& library) {
+  return write(library, {}, sgraph::Library::VT_HASH);
+}
+
 }  // namespace
 
 std::vector<std::uint8_t> writeSgraph(const MotionLibrary& library) {
-  return write(library).bytes;
+  const Warnings notes = keepableNotes(library.notes);
+  Written written = writeWithoutNotes(library);
+  if (notes.empty()) return std::move(written.bytes);
+  return write(library, {notes, written.hash}, sgraph::Library::VT_FILE_HASH).bytes;
 }
 
 std::uint64_t sgraphHash(const MotionLibrary& library) {
-  return write(library).hash;
+  return writeWithoutNotes(library).hash;
 }
 
 }  // namespace stridegraph

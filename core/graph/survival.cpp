@@ -32,15 +32,51 @@ std::vector<Links> linksOf(const MotionLibrary& library, std::span<const FrameTr
   return links;
 }
 
-/// First and last frame, within a clip, of what a graph plays of it without a gap.
-struct Run {
-  std::uint32_t first;
-  std::uint32_t last;
-};
-using Runs = std::vector<Run>;
+using Runs = std::vector<PlayedRun>;
 
-/// For each clip, ascending.
-std::vector<Runs> runsOf(const MotionLibrary& library, const MotionGraph& graph) {
+std::size_t framesOf(const Runs& runs) {
+  std::size_t frames = 0;
+  for (const PlayedRun& run : runs) frames += run.last - run.first + 1;
+  return frames;
+}
+
+std::string reasonForNothing(const MotionLibrary& library, const LibraryClip& clip, const Links& links) {
+  const std::size_t needed = library.params.transitionFrames + 2 * kWindowReach;
+  if (clip.frameCount < needed)
+    return fmt::format("too short: {} frames, at least {} are needed for a transition of {}", clip.frameCount,
+                       needed, library.params.transitionFrames);
+  if (links.transitions == 0)
+    return fmt::format("no {} frames of it come within {} m of any other frames",
+                       library.params.transitionFrames, library.params.thresholdMetres);
+  if (!links.leadsOut) return "no transition leads out of it";
+  if (!links.leadsIn) return "no transition leads into it";
+  return "no transitions lead from it to the rest of the graph and back";
+}
+
+std::string reasonForPart(const LibraryClip& clip, const Runs& pruned, std::size_t survivingFrames) {
+  std::vector<std::string> missing;
+  if (pruned.front().first > 0)
+    missing.push_back(fmt::format("into frames 0 to {}", pruned.front().first - 1));
+  for (std::size_t r = 0; r + 1 < pruned.size(); ++r) {
+    if (pruned[r].last + 1 < pruned[r + 1].first)
+      missing.push_back(fmt::format("through frames {} to {}", pruned[r].last + 1, pruned[r + 1].first - 1));
+  }
+  if (pruned.back().last + 1 < clip.frameCount)
+    missing.push_back(
+        fmt::format("out of frames {} to {} again", pruned.back().last + 1, clip.frameCount - 1));
+  std::string reason =
+      missing.empty() ? "" : fmt::format("no transition leads {}", fmt::join(missing, " or "));
+  if (survivingFrames < framesOf(pruned)) {
+    reason += missing.empty() ? "" : "; ";
+    reason += fmt::format("{} frames are left out, since other frames show the same motion",
+                          framesOf(pruned) - survivingFrames);
+  }
+  return reason;
+}
+
+}  // namespace
+
+std::vector<Runs> playedRuns(const MotionLibrary& library, const MotionGraph& graph) {
   std::vector<bool> playsOn(graph.nodes.size(), false);
   for (const MotionEdge& edge : graph.edges)
     if (edge.kind == EdgeKind::kClipPiece) playsOn[edge.from.value] = true;
@@ -56,52 +92,17 @@ std::vector<Runs> runsOf(const MotionLibrary& library, const MotionGraph& graph)
   return runs;
 }
 
-std::size_t framesOf(const Runs& runs) {
+std::size_t playedFrames(const MotionLibrary& library, const MotionGraph& graph) {
   std::size_t frames = 0;
-  for (const Run& run : runs) frames += run.last - run.first + 1;
+  for (const Runs& runs : playedRuns(library, graph)) frames += framesOf(runs);
   return frames;
 }
-
-std::string reasonForNothing(const MotionLibrary& library, const LibraryClip& clip, const Links& links) {
-  const std::size_t needed = library.params.transitionFrames + 2 * kWindowReach;
-  if (clip.frameCount < needed)
-    return fmt::format("too short: {} frames, at least {} are needed for a transition of {}", clip.frameCount,
-                       needed, library.params.transitionFrames);
-  if (links.transitions == 0)
-    return fmt::format("no {} frames of it come within {} m of any other motion",
-                       library.params.transitionFrames, library.params.thresholdMetres);
-  if (!links.leadsOut) return "no transition leads out of it";
-  if (!links.leadsIn) return "no transition leads into it";
-  return "no way leads from it to the rest of the graph and back";
-}
-
-std::string reasonForPart(const LibraryClip& clip, const Runs& pruned, std::size_t survivingFrames) {
-  std::vector<std::string> missing;
-  if (pruned.front().first > 0)
-    missing.push_back(fmt::format("into frames 0 to {}", pruned.front().first - 1));
-  for (std::size_t r = 0; r + 1 < pruned.size(); ++r) {
-    if (pruned[r].last + 1 < pruned[r + 1].first)
-      missing.push_back(fmt::format("through frames {} to {}", pruned[r].last + 1, pruned[r + 1].first - 1));
-  }
-  if (pruned.back().last + 1 < clip.frameCount)
-    missing.push_back(
-        fmt::format("out of frames {} to {} again", pruned.back().last + 1, clip.frameCount - 1));
-  std::string reason = missing.empty() ? "" : fmt::format("no way leads {}", fmt::join(missing, " or "));
-  if (survivingFrames < framesOf(pruned)) {
-    reason += missing.empty() ? "" : "; ";
-    reason +=
-        fmt::format("{} frames are left out, since others show as much", framesOf(pruned) - survivingFrames);
-  }
-  return reason;
-}
-
-}  // namespace
 
 std::vector<ClipFate> clipFates(const MotionLibrary& library, const MotionGraph& pruned,
                                 std::span<const FrameTransition> transitions) {
   const std::vector<Links> links = linksOf(library, transitions);
-  const std::vector<Runs> prunedRuns = runsOf(library, pruned);
-  const std::vector<Runs> runs = runsOf(library, library.graph);
+  const std::vector<Runs> prunedRuns = playedRuns(library, pruned);
+  const std::vector<Runs> runs = playedRuns(library, library.graph);
   std::vector<ClipFate> fates;
   for (std::size_t c = 0; c < library.clips.size(); ++c) {
     const LibraryClip& clip = library.clips[c];

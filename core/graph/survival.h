@@ -3,8 +3,9 @@
 #include <span>
 #include <vector>
 
+#include "graph/build_report.h"
 #include "graph/graph_building.h"
-#include "graph/library_builder.h"
+#include "graph/library.h"
 
 namespace stridegraph {
 
@@ -12,5 +13,16 @@ namespace stridegraph {
 /// may have been thinned to what the library holds.
 std::vector<ClipFate> clipFates(const MotionLibrary& library, const MotionGraph& pruned,
                                 std::span<const FrameTransition> transitions);
+
+/// First and last frame, within a clip, of what a graph plays of it without a gap.
+struct PlayedRun {
+  std::uint32_t first = 0;
+  std::uint32_t last = 0;
+};
+/// For each clip of a library, ascending.
+std::vector<std::vector<PlayedRun>> playedRuns(const MotionLibrary& library, const MotionGraph& graph);
+
+/// How many frames of a library a graph plays.
+std::size_t playedFrames(const MotionLibrary& library, const MotionGraph& graph);
 
 }  // namespace stridegraph

@@ -18,10 +18,9 @@ double cellsOf(const ClipFeatures& a, const ClipFeatures& b) {
 
 TransitionScan::TransitionScan(std::vector<ClipFeatures> clips, const ValleyParams& params,
                                KnownRegions known)
-    : clips_(std::move(clips)),
-      knownClips_(std::move(known.clips)),
-      valleys_(params),
-      found_(std::move(known.regions)) {
+    : clips_(std::move(clips)), knownClips_(std::move(known.clips)), valleys_(params) {
+  found_.reserve(known.regions.size());
+  for (const AlikeRegion& region : known.regions) found_.push_back({region, 0});
   std::size_t start = 0;
   for (std::size_t a = 0; a < clips_.size(); ++a) {
     starts_.push_back(start);
@@ -56,8 +55,10 @@ void TransitionScan::endPair() {
   };
   for (const Region& region : valleys_.finish()) {
     found_.push_back(
-        {frame(first_, region.row), frame(second_, region.column), static_cast<std::uint16_t>(region.rowSpan),
-         static_cast<std::uint16_t>(region.columnSpan), static_cast<float>(region.meanDistanceMetres)});
+        {{frame(first_, region.row), frame(second_, region.column),
+          static_cast<std::uint16_t>(region.rowSpan), static_cast<std::uint16_t>(region.columnSpan),
+          static_cast<float>(region.meanDistanceMetres)},
+         region.largestMicrometres});
   }
   pairIsBegun_ = false;
   nextPair();
@@ -87,6 +88,13 @@ bool TransitionScan::step() {
 }
 
 std::vector<AlikeRegion> TransitionScan::take() {
+  std::vector<AlikeRegion> regions;
+  regions.reserve(found_.size());
+  for (const ScannedRegion& found : takeScanned()) regions.push_back(found.region);
+  return regions;
+}
+
+std::vector<ScannedRegion> TransitionScan::takeScanned() {
   std::sort(found_.begin(), found_.end());
   return std::move(found_);
 }

@@ -16,6 +16,14 @@ struct KnownRegions {
   std::vector<AlikeRegion> regions;  ///< all regions of pairs of such clips, by frames of this scan.
 };
 
+/// A region, and the largest distance along it where ValleyParams::tellLargest asks for that.
+struct ScannedRegion {
+  AlikeRegion region;
+  std::uint32_t largestMicrometres = 0;
+
+  auto operator<=>(const ScannedRegion&) const = default;
+};
+
 /// Finds the regions where clips are alike among all pairs of them, bit by bit. Windows never cross the ends
 /// of a clip; clips shorter than l + 4 frames have none. A pair's regions depend on its two clips alone.
 class TransitionScan {
@@ -30,8 +38,14 @@ class TransitionScan {
   double progress() const;
   /// Pairs of frames compared so far; each unordered pair counts once.
   std::size_t framePairs() const { return framePairs_; }
+  /// Regions found or known so far.
+  std::size_t regionCount() const { return found_.size() + (pairIsBegun_ ? valleys_.regionCount() : 0); }
   /// What was found or known, in ascending order; empties the scan.
   std::vector<AlikeRegion> take();
+  /// The same with their largest distances. Known regions have none.
+  std::vector<ScannedRegion> takeScanned();
+  /// The clips, for another scan; empties this one.
+  std::vector<ClipFeatures> takeClips() { return std::move(clips_); }
 
  private:
   bool isKnown(std::size_t clip) const { return clip < knownClips_.size() && knownClips_[clip]; }
@@ -51,7 +65,7 @@ class TransitionScan {
   std::size_t framePairs_ = 0;
   double doneCells_ = 0.0;
   double allCells_ = 0.0;
-  std::vector<AlikeRegion> found_;
+  std::vector<ScannedRegion> found_;
 };
 
 }  // namespace stridegraph

@@ -103,9 +103,9 @@ bool ValleyFinder::Leaning::precedes(const Leaning& other) const {
 
 ValleyFinder::ValleyFinder(const ValleyParams& params)
     : params_(params),
-      limitMicrometres_(static_cast<std::uint32_t>(
-          std::min(params.thresholdMetres * kMicrometresPerMetre, static_cast<double>(kLargestLimit)))),
-      diagonalBits_(diagonalLine(params.transitionFrames - 1)),
+      limitMicrometres_(limitMicrometres(params.thresholdMetres)),
+      diagonal_(diagonalLine(params.transitionFrames - 1)),
+      diagonalBits_(diagonal_),
       lines_(warpedLines(params.transitionFrames - 1, params.largestSpanRatio)),
       lineBits_(lines_.begin(), lines_.end()),
       largestLean_(lines_.empty() ? 0 : lines_.back().lean()) {
@@ -116,6 +116,11 @@ ValleyFinder::ValleyFinder(const ValleyParams& params)
   restart(0);
 }
 
+std::uint32_t ValleyFinder::limitMicrometres(double thresholdMetres) {
+  return static_cast<std::uint32_t>(
+      std::min(thresholdMetres * kMicrometresPerMetre, static_cast<double>(kLargestLimit)));
+}
+
 void ValleyFinder::restart(std::size_t columns) {
   const std::size_t crossed = params_.transitionFrames + largestLean_;
   const std::size_t compared = 2 * params_.neighbourFrames + largestLean_ + 2;
@@ -123,7 +128,8 @@ void ValleyFinder::restart(std::size_t columns) {
   oneClip_ = false;
   rows_ = 0;
   judged_ = 0;
-  distances_.restart(crossed + 1, params_.transitionFrames + columns + kClump);
+  distances_.restart(params_.tellLargest ? crossed + compared + 1 : crossed + 1,
+                     params_.transitionFrames + columns + kClump);
   sums_.restart(compared, columns + 1);
   diagonals_.restart(compared, ThresholdBits::wordsFor(columns));
   under_.restart(crossed + 1, columns, crossed);
@@ -234,8 +240,9 @@ void ValleyFinder::judgeDiagonals(std::size_t row) {
       if (!isLeast(row, c, std::min<std::size_t>(1, params_.neighbourFrames)) ||
           !isLeast(row, c, params_.neighbourFrames) || isBeatenByLeaning(row, c))
         continue;
-      regions_.push_back(
-          {row - steps, c - steps, steps, steps, metresOf(sums(row)[c + 1], params_.transitionFrames)});
+      regions_.push_back({row - steps, c - steps, steps, steps,
+                          metresOf(sums(row)[c + 1], params_.transitionFrames),
+                          largestAlong(diagonal_, row, c)});
     }
   }
 }
@@ -280,8 +287,11 @@ void ValleyFinder::judgeLeaning(std::size_t middleRow2) {
         isBeatenByDiagonal(leaning, std::min<std::size_t>(1, params_.neighbourFrames)) ||
         isBeatenByDiagonal(leaning, params_.neighbourFrames) || !isLeastLeaning(leaning))
       continue;
-    regions_.push_back({leaning.row(), leaning.column(), leaning.line->rowSpan, leaning.line->columnSpan,
-                        metresOf(leaning.sum, leaning.cells())});
+    const WarpedLine& line = *leaning.line;
+    regions_.push_back(
+        {leaning.row(), leaning.column(), line.rowSpan, line.columnSpan,
+         metresOf(leaning.sum, leaning.cells()),
+         largestAlong(line, leaning.row() + line.rowSpan, leaning.column() + line.columnSpan)});
   }
 }
 
@@ -313,6 +323,17 @@ bool ValleyFinder::isLeastLeaning(const Leaning& leaning) const {
     }
   }
   return true;
+}
+
+std::uint32_t ValleyFinder::largestAlong(const WarpedLine& line, std::size_t lastRow,
+                                         std::size_t lastColumn) const {
+  if (!params_.tellLargest) return 0;
+  std::uint32_t largest = 0;
+  for (const CellBack& cell : line.cells) {
+    const std::uint32_t* row = distances_.back(rows_ - 1 - lastRow + cell.rows) + params_.transitionFrames;
+    largest = std::max(largest, row[lastColumn - cell.columns]);
+  }
+  return largest;
 }
 
 std::vector<Region> ValleyFinder::finish() {

@@ -21,6 +21,8 @@ struct ValleyParams {
   /// and Chiba 1978 found best for slopes of a time warp. 1.5 spans walks of which one is 2.2 times as fast:
   /// step rates go with the root of the speed (Inman 1981).
   double largestSpanRatio = 1.5;
+  /// Also tell the largest distance along each region, for which more rows are kept.
+  bool tellLargest = false;
 };
 
 /// A region where two clips are alike (fig. 5.3 c): l frames along a diagonal, or a line that leans, with a
@@ -31,6 +33,8 @@ struct Region {
   std::size_t rowSpan = 0;     ///< Steps in the one clip
   std::size_t columnSpan = 0;  ///< and in the other; l - 1 both, or so on average.
   double meanDistanceMetres = 0.0;
+  /// Along it, where asked for: with every tau from this to the one given, the region is found as well.
+  std::uint32_t largestMicrometres = 0;
 };
 
 /// Finds the interpolation regions of two clips (section 5.3.2) in the rows of their similarity matrix, which
@@ -47,6 +51,8 @@ class ValleyFinder {
   static constexpr std::uint64_t kLeanPenaltyDenominator = 5;
 
   explicit ValleyFinder(const ValleyParams& params);
+  /// The threshold in whole micrometres, as distances are compared with it.
+  static std::uint32_t limitMicrometres(double thresholdMetres);
 
   /// Begins with the matrix of two clips, in the memory of the one before.
   void restart(std::size_t columns);
@@ -58,6 +64,8 @@ class ValleyFinder {
   std::size_t reach() const;
   /// The next row of the matrix, valid from `firstColumn` on.
   void addRow(std::span<const std::uint32_t> micrometres, std::size_t firstColumn);
+  /// Regions found so far.
+  std::size_t regionCount() const { return regions_.size(); }
   /// After the last row: the regions, by row, then column, then spans.
   std::vector<Region> finish();
 
@@ -87,6 +95,7 @@ class ValleyFinder {
   bool isBeatenByDiagonal(const Leaning& leaning, std::size_t reach) const;
   bool isLeastLeaning(const Leaning& leaning) const;
   bool isMuchBetter(const Leaning& leaning, std::uint32_t diagonalSum) const;
+  std::uint32_t largestAlong(const WarpedLine& line, std::size_t lastRow, std::size_t lastColumn) const;
   /// Of the diagonals that end in a row: their distances, summed; entry c + 1 is column c, entry 0 stays
   /// zero.
   const std::uint32_t* sums(std::size_t row) const { return sums_.back(rows_ - 1 - row); }
@@ -99,6 +108,7 @@ class ValleyFinder {
 
   ValleyParams params_;
   std::uint32_t limitMicrometres_;
+  WarpedLine diagonal_;
   BitLine diagonalBits_;
   std::vector<WarpedLine> lines_;
   std::vector<BitLine> lineBits_;  ///< For each of lines_.
@@ -107,7 +117,8 @@ class ValleyFinder {
   bool oneClip_ = false;
   std::size_t rows_ = 0;
   std::size_t judged_ = 0;
-  RecentRows<std::uint32_t> distances_;  ///< The last rows that lines cross, each behind l zeros.
+  /// The last rows that lines cross, or that regions lie in which are yet to be judged, each behind l zeros.
+  RecentRows<std::uint32_t> distances_;
   RecentRows<std::uint32_t> sums_;       ///< The last rows that are judged or compared.
   RecentRows<std::uint64_t> diagonals_;  ///< The same rows.
   ThresholdBits under_;

@@ -10,6 +10,9 @@ namespace {
 
 using Degrees = std::array<double, 3>;
 constexpr double kNegligibleDegrees = 1e-3;
+/// Distance of the middle angle from a quarter turn at which the outer axes are taken to coincide: whatever
+/// they turn against each other then changes the rotation by no more than kNegligibleDegrees.
+constexpr double kLockedDegrees = 4e-4;
 
 /// The value of angle + 360 n that is nearest to `reference`.
 double unwrapped(double degrees, double reference) {
@@ -26,6 +29,20 @@ std::array<Degrees, 2> solutionsFor(const EulerOrder& order, const Quat& rotatio
     for (std::size_t i = 0; i < 3; ++i) solution[i] = unwrapped(solution[i], previous[i]);
   }
   return solutions;
+}
+
+/// In gimbal lock the outer axes coincide and only the sum of their angles counts, or the difference: of all
+/// pairs that give it the nearest to the frame before, from which both change alike.
+void settleLock(const EulerOrder& order, const Degrees& previous, Degrees& solution) {
+  const double fromLock = std::remainder(solution[1] - 90.0, 180.0);
+  if (std::abs(fromLock) > kLockedDegrees) return;
+  const bool isEven = (static_cast<int>(order[1]) - static_cast<int>(order[0]) + 3) % 3 == 1;
+  const bool isUpper = std::sin(Angle::degrees(solution[1]).radians()) > 0.0;
+  const double sense = isEven == isUpper ? 1.0 : -1.0;
+  const double change = (solution[0] - previous[0]) + sense * (solution[2] - previous[2]);
+  const double half = 0.5 * std::remainder(change, 360.0);
+  solution[0] = previous[0] + half;
+  solution[2] = previous[2] + sense * half;
 }
 
 /// How far the angles of the last axes are from zero: what a joint without channels for them cannot say.
@@ -48,7 +65,11 @@ std::vector<Degrees> solve(const EulerOrder& order, const std::vector<Quat>& rot
   Degrees previous = {0.0, 0.0, 0.0};
   worst = 0.0;
   for (const Quat& rotation : rotations) {
-    const auto [first, second] = solutionsFor(order, rotation, previous);
+    auto [first, second] = solutionsFor(order, rotation, previous);
+    if (axes == 3) {
+      settleLock(order, previous, first);
+      settleLock(order, previous, second);
+    }
     const double firstRest = unsayable(first, axes);
     const double secondRest = unsayable(second, axes);
     const bool secondIsBetter = std::abs(firstRest - secondRest) > kNegligibleDegrees

@@ -6,11 +6,12 @@
 #include <array>
 #include <utility>
 
+#include "motion/bvh_limits.h"
+
 namespace stridegraph {
 namespace {
 
-constexpr std::size_t kMostChannels = 6;
-constexpr std::array<std::pair<std::string_view, BvhChannel>, kMostChannels> kChannelWords = {{
+constexpr std::array<std::pair<std::string_view, BvhChannel>, kMostBvhChannels> kChannelWords = {{
     {"XPOSITION", BvhChannel::kXPosition},
     {"YPOSITION", BvhChannel::kYPosition},
     {"ZPOSITION", BvhChannel::kZPosition},
@@ -22,7 +23,7 @@ constexpr std::array<std::pair<std::string_view, BvhChannel>, kMostChannels> kCh
 /// A joint whose closing brace has not come yet.
 struct OpenJoint {
   std::size_t index = 0;
-  std::size_t offset = 0;  ///< Of its name in the text.
+  std::size_t offset = 0;  ///< Of its name in the text, or of the word End.
   std::size_t endSites = 0;
   bool hasOffset = false;
   bool hasChannels = false;
@@ -50,11 +51,12 @@ class HierarchyParser {
   Result<void> takeStatement() {
     if (scanner_.takeSymbol('}')) return closeJoint();
     const BvhJoint& joint = hierarchy_.joints[open_.back().index];
+    const std::size_t offset = scanner_.offset();
     if (scanner_.takeWord("OFFSET")) return takeOffset();
     if (!joint.isEndSite) {
       if (scanner_.takeWord("CHANNELS")) return takeChannels();
       if (scanner_.takeWord("JOINT")) return openJoint();
-      if (scanner_.takeWord("END")) return openEndSite();
+      if (takeEnd()) return openEndSite(offset);
     }
     if (scanner_.atEnd()) {
       return scanner_.expected(
@@ -63,23 +65,41 @@ class HierarchyParser {
     return scanner_.expected(joint.isEndSite ? "OFFSET or }" : "OFFSET, CHANNELS, JOINT, End Site or }");
   }
 
-  Result<void> openJoint() {
+  /// Takes the words of an end site in front of its own name, if it has one.
+  bool takeEnd() {
+    if (scanner_.takeWord("ENDSITE") || scanner_.takeWord("END_SITE")) return true;
+    if (!scanner_.takeWord("END")) return false;
+    scanner_.takeWord("SITE");
+    return true;
+  }
+
+  Result<std::string> takeName() {
     const std::size_t offset = scanner_.offset();
     std::string name = scanner_.takeName();
-    if (name.empty()) return scanner_.expected("a joint's name");
+    if (name.size() <= kMostBvhNameBytes) return name;
+    return fail(ErrorCode::kBvhValue,
+                fmt::format("found a name of {} bytes, expected at most {}", name.size(), kMostBvhNameBytes),
+                scanner_.placeOf(offset));
+  }
+
+  Result<void> openJoint() {
+    const std::size_t offset = scanner_.offset();
+    Result<std::string> name = takeName();
+    if (!name) return tl::unexpected(name.error());
+    if (name->empty()) return scanner_.expected("a joint's name");
     BvhJoint joint;
-    joint.name = std::move(name);
+    joint.name = *std::move(name);
     return open(std::move(joint), offset);
   }
 
-  Result<void> openEndSite() {
-    const std::size_t offset = scanner_.offset();
-    if (!scanner_.takeWord("SITE")) return scanner_.expected("Site");
+  Result<void> openEndSite(std::size_t offset) {
+    Result<std::string> name = takeName();
+    if (!name) return tl::unexpected(name.error());
     OpenJoint& parent = open_.back();
     ++parent.endSites;
     BvhJoint joint;
     joint.isEndSite = true;
-    joint.endSiteName = scanner_.takeName();
+    joint.endSiteName = *std::move(name);
     joint.name = hierarchy_.joints[parent.index].name + "#end";
     if (parent.endSites > 1) joint.name += fmt::format("{}", parent.endSites);
     return open(std::move(joint), offset);
@@ -87,6 +107,10 @@ class HierarchyParser {
 
   Result<void> open(BvhJoint joint, std::size_t offset) {
     if (!scanner_.takeSymbol('{')) return scanner_.expected("{");
+    if (hierarchy_.joints.size() == kMostBvhJoints)
+      return failAtLimit("joints and end sites", kMostBvhJoints, offset);
+    if (open_.size() == kMostBvhDepth)
+      return failAtLimit("joints one below the other", kMostBvhDepth, offset);
     if (!open_.empty()) {
       open_.back().hasChildren = true;
       joint.parent = open_.back().index;
@@ -94,6 +118,12 @@ class HierarchyParser {
     open_.push_back({hierarchy_.joints.size(), offset});
     hierarchy_.joints.push_back(std::move(joint));
     return {};
+  }
+
+  Result<void> failAtLimit(std::string_view what, std::size_t limit, std::size_t offset) const {
+    return fail(ErrorCode::kBvhValue,
+                fmt::format("found {} or more {}, expected at most {}", limit + 1, what, limit),
+                scanner_.placeOf(offset));
   }
 
   Result<void> closeJoint() {
@@ -136,8 +166,9 @@ class HierarchyParser {
     const std::size_t offset = scanner_.offset();
     const Result<std::size_t> count = scanner_.takeCount("the number of channels");
     if (!count) return tl::unexpected(count.error());
-    if (*count > kMostChannels) {
-      return fail(ErrorCode::kBvhValue, fmt::format("found {} channels, expected 0 to 6", *count),
+    if (*count > kMostBvhChannels) {
+      return fail(ErrorCode::kBvhValue,
+                  fmt::format("found {} channels, expected 0 to {}", *count, kMostBvhChannels),
                   scanner_.placeOf(offset));
     }
     BvhJoint& joint = hierarchy_.joints[open_.back().index];

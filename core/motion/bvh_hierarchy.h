@@ -15,7 +15,7 @@ namespace stridegraph {
 /// A joint as a BVH text states it: nothing is converted or folded yet.
 struct BvhJoint {
   std::string name;         ///< Of an end site: its parent's with "#end", from the second on "#end2", ...
-  std::string endSiteName;  ///< What an end site was called in the text, usually nothing.
+  std::string endSiteName;  ///< What an end site was called in the text beyond "End Site", usually nothing.
   std::optional<std::size_t> parent;
   bool isEndSite = false;
   Vec3 offset = Vec3::Zero();        ///< File units and axes.
@@ -29,9 +29,10 @@ struct BvhHierarchy {
   std::size_t columns = 0;  ///< Numbers in a row of MOTION, at least 1.
 };
 
-/// Reads HIERARCHY up to the brace that closes ROOT. Nesting may be of any depth. Fails with kBvhSyntax or
-/// kBvhValue where the text breaks the grammar: each joint has one OFFSET and at most one CHANNELS, both
-/// before its children; end sites have an OFFSET alone.
+/// Reads HIERARCHY up to the brace that closes ROOT. Whatever follows "End" begins an end site: exporters
+/// write "End Site", "End Site1" or "End tip". Fails with kBvhSyntax where the text breaks the grammar: each
+/// joint has a name, one OFFSET and at most one CHANNELS, both before its children; end sites have an OFFSET
+/// alone. Fails with kBvhValue beyond the limits of motion/bvh_limits.h.
 Result<BvhHierarchy> parseBvhHierarchy(BvhScanner& scanner);
 
 }  // namespace stridegraph

@@ -5,7 +5,14 @@
 #include <algorithm>
 #include <utility>
 
+#include "motion/body_evidence.h"
+#include "motion/bvh_channels.h"
 #include "motion/bvh_conventions.h"
+#include "motion/bvh_still_part.h"
+#include "motion/file_unit.h"
+#include "motion/position_channels.h"
+#include "motion/travelling_root.h"
+#include "motion/up_axis.h"
 
 namespace stridegraph {
 namespace {
@@ -14,82 +21,45 @@ constexpr std::size_t kMostRotations = 20'000'000;
 /// A joint whose distance from its parent changes by less only shakes by rounding or marker noise.
 constexpr double kStillMetres = 0.005;
 
-bool isPosition(BvhChannel channel) {
-  return channel <= BvhChannel::kZPosition;
-}
-
-Eigen::Index axisOf(BvhChannel channel) {
-  return static_cast<Eigen::Index>(channel) % 3;
-}
-
-/// A joint's translation in one row: its position channels, and its OFFSET along axes that have none.
-Vec3 translationIn(const BvhJoint& joint, const double* row) {
-  Vec3 translation = joint.offset;
-  for (std::size_t c = 0; c < joint.channels.size(); ++c) {
-    if (isPosition(joint.channels[c])) translation[axisOf(joint.channels[c])] = row[joint.firstColumn + c];
-  }
-  return translation;
-}
-
-Quat rotationIn(const BvhJoint& joint, const double* row) {
-  Quat rotation = Quat::Identity();
-  for (std::size_t c = 0; c < joint.channels.size(); ++c) {
-    if (isPosition(joint.channels[c])) continue;
-    const Angle angle = Angle::degrees(row[joint.firstColumn + c]);
-    rotation = rotation * axisRotation(static_cast<Axis>(axisOf(joint.channels[c])), angle);
-  }
-  return rotation;
-}
-
-/// A joint below the root that has position channels, as if it were fixed to its parent.
-struct FixedOffset {
-  Vec3 mean = Vec3::Zero();
-  double greatestDeviation = 0.0;
+/// A hierarchy with its motion, and which joint travels.
+struct ParsedMotion {
+  const BvhHierarchy& hierarchy;
+  const JointTranslations& translations;
+  const TravellingRoot& parts;
 };
 
-FixedOffset fixedOffsetOf(const BvhJoint& joint, const BvhMotion& motion) {
-  FixedOffset fixed;
-  const auto count = static_cast<double>(motion.frameCount);
-  for (std::size_t f = 0; f < motion.frameCount; ++f) {
-    fixed.mean += translationIn(joint, &motion.values[f * motion.columns]) / count;
-  }
-  for (std::size_t f = 0; f < motion.frameCount; ++f) {
-    const Vec3 apart = translationIn(joint, &motion.values[f * motion.columns]) - fixed.mean;
-    fixed.greatestDeviation = std::max(fixed.greatestDeviation, apart.norm());
-  }
-  return fixed;
-}
-
-/// Distance from its mean that each joint reaches, in file units, while the skeleton is built.
-std::vector<double> buildSkeleton(const BvhHierarchy& hierarchy, const BvhMotion& motion,
-                                  Skeleton& skeleton) {
-  std::vector<double> deviations(hierarchy.joints.size(), 0.0);
-  for (std::size_t j = 0; j < hierarchy.joints.size(); ++j) {
-    const BvhJoint& source = hierarchy.joints[j];
+/// The joints of the body, and how far each comes from its mean offset, in file units.
+std::vector<double> buildSkeleton(const ParsedMotion& parsed, Skeleton& skeleton) {
+  std::vector<double> deviations;
+  for (const std::size_t j : parsed.parts.body) {
+    const BvhJoint& source = parsed.hierarchy.joints[j];
     Joint joint{source.name, {}, Vec3::Zero(), source.isEndSite};
-    if (source.parent) {
-      joint.parent = JointIndex(*source.parent);
-      joint.offset = source.offset;
-      if (std::any_of(source.channels.begin(), source.channels.end(), isPosition)) {
-        const FixedOffset fixed = fixedOffsetOf(source, motion);
-        joint.offset = fixed.mean;
-        deviations[j] = fixed.greatestDeviation;
-      }
+    double deviation = 0.0;
+    if (j != parsed.parts.root) {
+      const JointTranslations::Spread spread = parsed.translations.spreadOf(j);
+      joint.parent = JointIndex(*source.parent - parsed.parts.root);
+      joint.offset = spread.mean;
+      deviation = spread.deviation;
     }
+    deviations.push_back(deviation);
     skeleton.joints.push_back(std::move(joint));
   }
   return deviations;
 }
 
-void buildClip(const BvhHierarchy& hierarchy, const BvhMotion& motion, Clip& clip) {
-  clip.framesPerSecond = motion.framesPerSecond;
-  clip.jointCount = hierarchy.joints.size();
-  clip.rootPositions.reserve(motion.frameCount);
-  clip.rotations.reserve(motion.frameCount * clip.jointCount);
-  for (std::size_t f = 0; f < motion.frameCount; ++f) {
-    const double* const row = &motion.values[f * motion.columns];
-    clip.rootPositions.push_back(translationIn(hierarchy.joints.front(), row));
-    for (const BvhJoint& joint : hierarchy.joints) clip.rotations.push_back(rotationIn(joint, row));
+void buildClip(const ParsedMotion& parsed, Clip& clip) {
+  const std::size_t frameCount = parsed.translations.frameCount();
+  clip.jointCount = parsed.parts.body.size();
+  clip.rootPositions.reserve(frameCount);
+  clip.rotations.reserve(frameCount * clip.jointCount);
+  for (std::size_t f = 0; f < frameCount; ++f) {
+    const JointPlacement root = placementInFile(parsed.hierarchy, parsed.translations, parsed.parts.root, f);
+    clip.rootPositions.push_back(root.position);
+    for (const std::size_t j : parsed.parts.body) {
+      clip.rotations.push_back(j == parsed.parts.root
+                                   ? root.rotation
+                                   : rotationIn(parsed.hierarchy.joints[j], parsed.translations.row(f)));
+    }
   }
 }
 
@@ -101,7 +71,9 @@ void warnOfEqualNames(const Skeleton& skeleton, Warnings& warnings) {
   }
   std::sort(names.begin(), names.end());
   const auto twin = std::adjacent_find(names.begin(), names.end());
-  if (twin != names.end()) warnings.push_back({fmt::format("more than one joint is named \"{}\"", *twin)});
+  if (twin == names.end()) return;
+  warnings.push_back(
+      {fmt::format("more than one joint is named \"{}\"", *twin), {}, WarningTopic::kSkeleton});
 }
 
 void warnOfMovingJoints(const BvhDocument& document, const std::vector<double>& deviations,
@@ -111,7 +83,28 @@ void warnOfMovingJoints(const BvhDocument& document, const std::vector<double>& 
     if (metres <= kStillMetres) continue;
     warnings.push_back(
         {fmt::format("joint \"{}\" moves by up to {:.3g} m against its parent; its mean offset is used",
-                     document.skeleton.joints[j].name, metres)});
+                     document.skeleton.joints[j].name, metres),
+         {},
+         WarningTopic::kSkeleton});
+  }
+}
+
+/// Up axis and unit, as given or as the body tells; the skeleton and the clip still have those of the file.
+void inferConventions(const BvhReadParams& params, BvhDocument& document, Warnings& warnings) {
+  document.layout.up = params.up.value_or(UpAxis::kY);
+  document.layout.unitsPerMetre = params.unitsPerMetre.value_or(1.0);
+  document.confidence = {};
+  if (params.up && params.unitsPerMetre) return;
+  const BodyEvidence evidence = gatherEvidence(document.skeleton, document.clip);
+  if (!params.up) {
+    const UpGuess guess = inferUpAxis(evidence, warnings);
+    document.layout.up = guess.up;
+    document.confidence.up = guess.confidence;
+  }
+  if (!params.unitsPerMetre) {
+    const UnitGuess guess = inferUnit(evidence, document.layout.up, warnings);
+    document.layout.unitsPerMetre = guess.perMetre;
+    document.confidence.unit = guess.confidence;
   }
 }
 
@@ -128,22 +121,27 @@ Result<BvhDocument> interpretBvh(BvhHierarchy hierarchy, BvhMotion motion, std::
   BvhDocument document;
   document.warnings = std::move(motion.warnings);
   document.clip.name = name;
-  const std::vector<double> deviations = buildSkeleton(hierarchy, motion, document.skeleton);
-  buildClip(hierarchy, motion, document.clip);
-
+  document.clip.framesPerSecond = motion.framesPerSecond;
   Warnings odd;
+  const JointTranslations translations(hierarchy, motion, odd);
+  const TravellingRoot parts = findTravellingRoot(hierarchy, translations, odd);
+  const ParsedMotion parsed{hierarchy, translations, parts};
+  const std::vector<double> deviations = buildSkeleton(parsed, document.skeleton);
+  buildClip(parsed, document.clip);
+
   warnOfEqualNames(document.skeleton, odd);
-  const BodyExtents extents = measureExtents(document.skeleton, document.clip);
-  document.layout.up = params.up ? *params.up : inferUpAxis(extents, odd);
-  document.layout.unitsPerMetre =
-      params.unitsPerMetre ? *params.unitsPerMetre : inferUnitsPerMetre(extents, document.layout.up, odd);
+  inferConventions(params, document, odd);
   convertToMetresYUp(document.layout.up, document.layout.unitsPerMetre, document.skeleton, document.clip);
   warnOfMovingJoints(document, deviations, odd);
-  for (Warning& warning : odd) document.warnings.push_back({std::move(warning.message), {std::string(name)}});
-
-  for (BvhJoint& joint : hierarchy.joints) {
-    document.layout.channels.push_back(std::move(joint.channels));
-    document.layout.endSiteNames.push_back(std::move(joint.endSiteName));
+  document.layout.still =
+      stillPartOf(hierarchy, translations, parts, document.layout.up, document.layout.unitsPerMetre);
+  for (Warning& warning : odd) {
+    warning.place.file = name;
+    document.warnings.push_back(std::move(warning));
+  }
+  for (const std::size_t j : parts.body) {
+    document.layout.channels.push_back(std::move(hierarchy.joints[j].channels));
+    document.layout.endSiteNames.push_back(std::move(hierarchy.joints[j].endSiteName));
   }
   return document;
 }

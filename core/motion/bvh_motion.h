@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "motion/bvh_hierarchy.h"
 #include "motion/bvh_scanner.h"
 
 namespace stridegraph {
@@ -17,11 +18,9 @@ struct BvhMotion {
   Warnings warnings;
 };
 
-/// Reads MOTION to the end of the text. Rows may be wrapped. Where a text holds other than the declared
-/// frames, its complete rows are used, with a warning. A frame time is the reciprocal of a whole rate when
-/// that lies within the rounding of its digits: 0.0333333 and 0.033 mean 30 frames a second. Fails with
-/// kBvhSyntax or kBvhValue: no frames, numbers that are none, a frame time outside 1e-6..1000 seconds, and,
-/// before anything is allocated, more frames than the text's size can hold.
-Result<BvhMotion> parseBvhMotion(BvhScanner& scanner, std::size_t columns);
+/// Reads MOTION to the end of the text: the declared number of frames, the frame time
+/// (parseBvhFrameTime()) and the rows (parseBvhRows()), which fail as these do. Fails with kBvhSyntax or
+/// kBvhValue also where no frames are declared, or more than motion/bvh_limits.h allows for such a skeleton.
+Result<BvhMotion> parseBvhMotion(BvhScanner& scanner, const BvhHierarchy& hierarchy);
 
 }  // namespace stridegraph

@@ -34,11 +34,13 @@ struct BvhDocument {
   BvhConfidence confidence = {};
 };
 
-/// Reads a BVH text as tools really write it: any line ends, blanks in names, channels in any order and
-/// number, numbers glued by a minus sign, rows wrapped or a few too many. `name` becomes the clip's name and
-/// the file in messages. Position channels replace a joint's OFFSET; where a joint below the root really
+/// Reads the bytes of a BVH file as tools really write it: UTF-8, UTF-16 or Windows-1252, any line ends,
+/// blanks in names, channels in any order and number, numbers glued by a minus sign, rows wrapped or a few
+/// too many (docs/motion-files.md). `name` becomes the clip's name and the file in messages; all strings of
+/// the result are UTF-8. Position channels replace a joint's OFFSET; where a joint below the root really
 /// moves against its parent, its mean offset is taken, with a warning. Fails with kBvhSyntax or kBvhValue and
-/// the place: line and column of what was found, and what was expected.
-Result<BvhDocument> readBvh(std::string_view text, std::string_view name, const BvhReadParams& params = {});
+/// the place: line and column of what was found, and what was expected; the limits are in
+/// motion/bvh_limits.h.
+Result<BvhDocument> readBvh(std::string_view bytes, std::string_view name, const BvhReadParams& params = {});
 
 }  // namespace stridegraph

@@ -7,11 +7,12 @@
 #include <cmath>
 #include <system_error>
 
+#include "base/utf8.h"
+#include "motion/bvh_limits.h"
+
 namespace stridegraph {
 namespace {
 
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-constexpr double kLargestNumber = 1e9;
 constexpr std::size_t kMostDigits = 9;
 constexpr std::size_t kQuotedBytes = 40;
 
@@ -19,8 +20,14 @@ bool isBlank(char c) {
   return c == ' ' || (c >= '\t' && c <= '\r');
 }
 
+bool isLineEnd(char c) {
+  return c == '\n' || c == '\r';
+}
+
+/// Letters beyond ASCII count as such, whichever they are.
 bool isWordCharacter(char c) {
-  return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_';
+  return static_cast<unsigned char>(c) >= 0x80U || (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') ||
+         (c >= 'a' && c <= 'z') || c == '_';
 }
 
 char upperCase(char c) {
@@ -33,9 +40,7 @@ bool isContinuationByte(char c) {
 
 }  // namespace
 
-BvhScanner::BvhScanner(std::string_view text, std::string_view file) : text_(text), file_(file) {
-  if (text_.starts_with(kByteOrderMark)) at_ = kByteOrderMark.size();
-}
+BvhScanner::BvhScanner(std::string_view text, std::string_view file) : text_(text), file_(file) {}
 
 void BvhScanner::skipBlanks() {
   while (at_ < text_.size() && isBlank(text_[at_])) ++at_;
@@ -44,6 +49,11 @@ void BvhScanner::skipBlanks() {
 bool BvhScanner::atEnd() {
   skipBlanks();
   return at_ == text_.size();
+}
+
+bool BvhScanner::atLineEnd() {
+  while (at_ < text_.size() && isBlank(text_[at_]) && !isLineEnd(text_[at_])) ++at_;
+  return at_ == text_.size() || isLineEnd(text_[at_]);
 }
 
 bool BvhScanner::takeWord(std::string_view keyword) {
@@ -71,7 +81,9 @@ std::string BvhScanner::takeName() {
   std::string_view name = text_.substr(at_, end - at_);
   while (!name.empty() && isBlank(name.back())) name.remove_suffix(1);
   at_ += name.size();
-  return std::string(name);
+  std::string plain(name);
+  std::replace_if(plain.begin(), plain.end(), isBlank, ' ');
+  return plain;
 }
 
 Result<double> BvhScanner::takeNumber(std::string_view what) {
@@ -87,7 +99,7 @@ Result<double> BvhScanner::takeNumber(std::string_view what) {
       read.ptr == end || isBlank(*read.ptr) || *read.ptr == '-' || *read.ptr == '+' || *read.ptr == '}';
   if (!isSeparated) return badNumber(ErrorCode::kBvhSyntax, what);
   if (!std::isfinite(value)) return badNumber(ErrorCode::kBvhValue, what);
-  if (std::abs(value) > kLargestNumber) return badNumber(ErrorCode::kBvhValue, what);
+  if (std::abs(value) > kLargestBvhNumber) return badNumber(ErrorCode::kBvhValue, what);
   lastNumber_ = text_.substr(at_, static_cast<std::size_t>(read.ptr - begin));
   at_ += lastNumber_.size();
   return value;
@@ -118,11 +130,10 @@ std::size_t BvhScanner::offset() {
 
 Place BvhScanner::placeOf(std::size_t offset) const {
   Place place{file_, 1, 1};
-  std::size_t i = text_.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
-  for (; i < offset; ++i) {
-    const bool isLineEnd =
+  for (std::size_t i = 0; i < offset; ++i) {
+    const bool endsLine =
         text_[i] == '\n' || (text_[i] == '\r' && (i + 1 >= text_.size() || text_[i + 1] != '\n'));
-    if (isLineEnd) {
+    if (endsLine) {
       ++place.line;
       place.column = 1;
     } else if (!isContinuationByte(text_[i])) {
@@ -152,12 +163,17 @@ std::string BvhScanner::nextWord() const {
   for (char& c : word) {
     if (static_cast<unsigned char>(c) < 0x20U || c == '\x7F') c = '?';
   }
-  return fmt::format("\"{}{}\"", word, isLong ? "..." : "");
+  return fmt::format("\"{}{}\"", toUtf8(word), isLong ? "..." : "");
 }
 
 tl::unexpected<Error> BvhScanner::badNumber(ErrorCode code, std::string_view what) {
-  const std::string_view limit = code == ErrorCode::kBvhValue ? ", finite and at most 1e9 in size" : "";
-  return fail(code, fmt::format("found {}, expected {}{}", nextWord(), what, limit), placeOf(offset()));
+  const std::string found = nextWord();
+  std::string_view hint;
+  if (code == ErrorCode::kBvhValue)
+    hint = ", finite and at most 1e9 in size";
+  else if (found.find(',') != std::string::npos)
+    hint = ", with a decimal point, and blanks between numbers";
+  return fail(code, fmt::format("found {}, expected {}{}", found, what, hint), placeOf(offset()));
 }
 
 }  // namespace stridegraph

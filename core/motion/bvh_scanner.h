@@ -8,9 +8,9 @@
 
 namespace stridegraph {
 
-/// Steps through a BVH text word by word: blanks of any kind and any line ends (LF, CRLF, CR) separate
-/// words, a leading byte order mark is skipped, and upper and lower case keywords are the same. The text must
-/// outlive the scanner. Places are only counted out when something is wrong, so that reading stays fast.
+/// Steps through a BVH text (BvhText) word by word: blanks and any line ends (LF, CRLF, CR) separate words,
+/// and upper and lower case keywords are the same. The text must outlive the scanner. Places are only counted
+/// out when something is wrong, so that reading stays fast.
 class BvhScanner {
  public:
   /// `file` is the name that messages carry.
@@ -18,15 +18,17 @@ class BvhScanner {
 
   /// True when nothing but blanks is left.
   bool atEnd();
+  /// True when nothing but blanks is left of the line.
+  bool atLineEnd();
   /// Takes `keyword` (upper case) when it is the next whole word.
   bool takeWord(std::string_view keyword);
   /// Takes `symbol` when it comes next.
   bool takeSymbol(char symbol);
   /// Takes what is left of the line or, at its end, the next line that is not blank, up to a "{", without
-  /// outer blanks: names may hold blanks. Empty when "{" comes next.
+  /// outer blanks: names may hold blanks. A tab within a name becomes a space. Empty when "{" comes next.
   std::string takeName();
-  /// Takes a finite number of at most 1e9 in size. A minus sign right behind the digits begins the next
-  /// number. `what` says what is expected ("three numbers after OFFSET").
+  /// Takes a finite number of at most kLargestBvhNumber in size. A minus sign right behind the digits begins
+  /// the next number. `what` says what is expected ("three numbers after OFFSET").
   Result<double> takeNumber(std::string_view what);
   /// Takes a whole number of at most nine digits.
   Result<std::size_t> takeCount(std::string_view what);
@@ -39,7 +41,8 @@ class BvhScanner {
   std::size_t offset();
   /// Line and column of a byte. Counts from the beginning of the text: for messages only.
   Place placeOf(std::size_t offset) const;
-  /// A kBvhSyntax error at the next word: "found ..., expected `what`".
+  /// A kBvhSyntax error at the next word: "found ..., expected `what`". The word is shortened; the message is
+  /// UTF-8 whatever the text is.
   tl::unexpected<Error> expected(std::string_view what);
 
  private:

@@ -30,6 +30,14 @@ void makeSignsContinuous(Clip& clip) {
   }
 }
 
+std::size_t resampledFrameCount(std::size_t frameCount, double fromFramesPerSecond,
+                                double toFramesPerSecond) {
+  if (frameCount == 0) return 0;
+  const double ratio = fromFramesPerSecond / toFramesPerSecond;
+  const auto last = static_cast<double>(frameCount - 1);
+  return static_cast<std::size_t>(std::floor(last / ratio + kSameMoment)) + 1;
+}
+
 Clip resample(const Clip& clip, double framesPerSecond) {
   STRIDEGRAPH_CHECK(framesPerSecond > 0.0);
   Clip result;
@@ -39,7 +47,9 @@ Clip resample(const Clip& clip, double framesPerSecond) {
   if (clip.frameCount() == 0) return result;
   const double ratio = clip.framesPerSecond / framesPerSecond;
   const auto last = static_cast<double>(clip.frameCount() - 1);
-  const auto frames = static_cast<std::size_t>(std::floor(last / ratio + kSameMoment)) + 1;
+  const std::size_t frames = resampledFrameCount(clip.frameCount(), clip.framesPerSecond, framesPerSecond);
+  result.rootPositions.reserve(frames);
+  result.rotations.reserve(frames * clip.jointCount);
   for (std::size_t i = 0; i < frames; ++i) {
     const double moment = std::min(static_cast<double>(i) * ratio, last);
     const double nearest = std::round(moment);

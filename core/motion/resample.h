@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 #include "motion/clip.h"
 
 namespace stridegraph {
@@ -9,6 +11,9 @@ namespace stridegraph {
 /// rate: nothing is made up behind the last frame. Moments that are frames of the clip stay as captured.
 /// Neighbouring frames' quaternions never differ by the sign alone.
 Clip resample(const Clip& clip, double framesPerSecond);
+
+/// How many frames resample() makes of a clip of `frameCount` frames at one rate at another, both > 0.
+std::size_t resampledFrameCount(std::size_t frameCount, double fromFramesPerSecond, double toFramesPerSecond);
 
 /// Gives each joint's quaternions the sign that lies nearer to the frame before, from the second frame on.
 void makeSignsContinuous(Clip& clip);

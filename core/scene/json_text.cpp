@@ -5,13 +5,15 @@
 #include <algorithm>
 #include <cstddef>
 #include <string>
+#include <vector>
+
+#include "scene/scene_limits.h"
+#include "scene/text_place.h"
 
 namespace stridegraph {
 
 namespace {
 
-/// Deeper nesting is refused: writing such a value back would need as deep a stack.
-constexpr int kMostLevels = 64;
 constexpr std::size_t kLongestQuote = 40;
 
 /// Walks over a text without keeping it, to find out where it goes wrong.
@@ -24,7 +26,7 @@ class SyntaxCheck : public nlohmann::json_sax<Json> {
   bool number_float(number_float_t, const string_t&) override { return true; }
   bool string(string_t&) override { return true; }
   bool binary(binary_t&) override { return true; }
-  bool key(string_t&) override { return true; }
+  bool key(string_t&) override { return ++members_.back() <= kMostJsonMembers; }
   bool start_object(std::size_t) override { return enter(); }
   bool end_object() override { return leave(); }
   bool start_array(std::size_t) override { return enter(); }
@@ -40,9 +42,10 @@ class SyntaxCheck : public nlohmann::json_sax<Json> {
   /// One past the offset of the byte at which reading stopped.
   std::size_t position() const { return position_; }
   std::string message() const {
-    if (levels_ > kMostLevels) {
-      return fmt::format("found more than {} levels of nesting, expected a scene", kMostLevels);
-    }
+    if (members_.size() > kMostJsonLevels)
+      return fmt::format("found more than {} levels of nesting, expected a scene", kMostJsonLevels);
+    if (!members_.empty() && members_.back() > kMostJsonMembers)
+      return fmt::format("found an object of more than {} members, expected a scene", kMostJsonMembers);
     if (outOfRange_)
       return fmt::format("found the number {}, expected one that a double can hold", shortToken());
     if (token_.empty() || token_ == "<U+0000>") return "the text ends early, expected more JSON";
@@ -52,9 +55,12 @@ class SyntaxCheck : public nlohmann::json_sax<Json> {
  private:
   static constexpr int kNumberOutOfRange = 406;
 
-  bool enter() { return ++levels_ <= kMostLevels; }
+  bool enter() {
+    members_.push_back(0);
+    return members_.size() <= kMostJsonLevels;
+  }
   bool leave() {
-    --levels_;
+    members_.pop_back();
     return true;
   }
   /// The end of the token, where the trouble is, in letters that any terminal shows.
@@ -65,28 +71,20 @@ class SyntaxCheck : public nlohmann::json_sax<Json> {
     return shown;
   }
 
-  int levels_ = 0;
+  std::vector<std::size_t> members_;  ///< Of each object or list that is open: how many it has so far.
   std::size_t position_ = 0;
   std::string token_;
   bool outOfRange_ = false;
 };
-
-Place placeOf(std::string_view text, std::size_t position, std::string_view name) {
-  if (position == 0) return {std::string(name), 0, 0};
-  const std::string_view before = text.substr(0, std::min(position - 1, text.size()));
-  const auto line = static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n')) + 1;
-  const std::size_t lineStart = before.rfind('\n');
-  const std::size_t column =
-      lineStart == std::string_view::npos ? before.size() : before.size() - lineStart - 1;
-  return {std::string(name), line, column + 1};
-}
 
 }  // namespace
 
 Result<Json> parseJson(std::string_view text, std::string_view name) {
   SyntaxCheck check;
   if (!Json::sax_parse(text.begin(), text.end(), &check)) {
-    return fail(ErrorCode::kSceneSyntax, check.message(), placeOf(text, check.position(), name));
+    return fail(
+        ErrorCode::kSceneSyntax, check.message(),
+        check.position() == 0 ? Place{std::string(name)} : placeInText(text, check.position() - 1, name));
   }
   return Json::parse(text.begin(), text.end(), nullptr, false);
 }

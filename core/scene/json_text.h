@@ -10,8 +10,9 @@ namespace stridegraph {
 /// Members in the order of the text.
 using Json = nlohmann::ordered_json;
 
-/// Parses JSON. kSceneSyntax with line and column when the text is none, or when it nests deeper than any
-/// scene does.
+/// Parses JSON. kSceneSyntax with line and column when the text is none, or when it nests deeper than
+/// kMostJsonLevels or an object has more than kMostJsonMembers: to write such a value back would take a deep
+/// stack, to look up its members long. Of members of one name the last counts.
 Result<Json> parseJson(std::string_view text, std::string_view name);
 
 /// A value as messages quote it: short values as they stand, long ones by their kind.

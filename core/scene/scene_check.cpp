@@ -27,7 +27,7 @@ Checked checkWithin(const std::string& member, double value, double low, double 
   return {};
 }
 
-/// A finite number whose magnitude is not beyond a limit.
+/// On both sides of 0.
 Checked checkMagnitude(const std::string& member, double value, double most) {
   if (Checked finite = checkFinite(member, value); !finite) return finite;
   return checkWithin(member, value, -most, most);
@@ -38,19 +38,20 @@ Checked checkPoint(const std::string& member, const Vec2& point) {
   return checkMagnitude(member + ".z", point.y(), kFarthestMetres);
 }
 
+Checked checkSide(const std::string& member, double metres) {
+  if (!(metres > 0.0 && std::isfinite(metres))) return wrong(member, metres, "a number above 0");
+  return checkWithin(member, metres, 0.0, kFarthestMetres);
+}
+
 Checked checkSize(const std::string& member, const Vec2& size) {
-  if (!(size.x() > 0.0 && std::isfinite(size.x())))
-    return wrong(member + ".width", size.x(), "a number above 0");
-  if (!(size.y() > 0.0 && std::isfinite(size.y())))
-    return wrong(member + ".depth", size.y(), "a number above 0");
-  if (Checked width = checkMagnitude(member + ".width", size.x(), kFarthestMetres); !width) return width;
-  return checkMagnitude(member + ".depth", size.y(), kFarthestMetres);
+  if (Checked width = checkSide(member + ".width", size.x()); !width) return width;
+  return checkSide(member + ".depth", size.y());
 }
 
 Checked checkPlacement(const std::string& member, const Placement& placement) {
   if (Checked position = checkPoint(member, placement.position); !position) return position;
   if (!placement.heading) return {};
-  return checkFinite(member + ".heading_deg", placement.heading->degrees());
+  return checkMagnitude(member + ".heading_deg", placement.heading->degrees(), kMostHeadingDegrees);
 }
 
 Checked checkCount(const std::string& member, std::size_t count, std::size_t most) {
@@ -70,7 +71,7 @@ Checked checkMoving(const std::string& member, const MovingObstacle& moving) {
   for (std::size_t i = 0; i < moving.track.size(); ++i) {
     const std::string place = fmt::format("{}.track[{}]", member, i);
     const TrackPoint& point = moving.track[i];
-    if (Checked time = checkMagnitude(place + ".t", point.seconds, kFarthestSeconds); !time) return time;
+    if (Checked time = checkMagnitude(place + ".t", point.seconds, kMostTrackSeconds); !time) return time;
     if (i > 0 && !(point.seconds > moving.track[i - 1].seconds)) {
       return wrong(place + ".t", point.seconds, fmt::format("a time above {}", moving.track[i - 1].seconds));
     }

@@ -17,8 +17,12 @@ namespace stridegraph {
 /// of its members, radius and seed may be missing; repeat is "loop" when it is. Unknown members of the outer
 /// object are kept for writeSceneJson; a known one that is missing, of the wrong type or out of range is
 /// kSceneValue, and names the member, what was found and what was expected. Text that is no JSON is
-/// kSceneSyntax with line and column. `name` becomes the error's file.
-Result<Scene> readSceneJson(std::string_view text, std::string_view name = "scene");
+/// kSceneSyntax with line and column; so is text that is not UTF-8 (a byte-order mark may stand before it).
+/// `name` becomes the error's file. Members that are not known, or that an object has more than once, go to
+/// `notes` where it is not null, as warnings with topic kScene, line and column (sceneNotes); those there
+/// before stay.
+Result<Scene> readSceneJson(std::string_view text, std::string_view name = "scene",
+                            Warnings* notes = nullptr);
 
 /// The scene as JSON text, numbers as short as they can be. Reading it back gives the same scene, bit for bit
 /// but for headings that no number of degrees gives exactly: these come back within one unit in the last

@@ -1,16 +1,19 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "scene/json_member.h"
 #include "scene/json_text.h"
+#include "scene/scene_encoding.h"
 #include "scene/scene_json.h"
 #include "scene/scene_limits.h"
 #include "scene/scene_members.h"
 #include "scene/scene_names.h"
+#include "scene/scene_notes.h"
 
 namespace stridegraph {
 
@@ -223,9 +226,14 @@ Result<Scene> readMembers(const Json& json) {
 
 }  // namespace
 
-Result<Scene> readSceneJson(std::string_view text, std::string_view name) {
+Result<Scene> readSceneJson(std::string_view text, std::string_view name, Warnings* notes) {
+  if (Result<void> encoding = checkSceneEncoding(text, name); !encoding) return fail(std::move(encoding));
   Result<Json> json = parseJson(text, name);
   if (!json) return fail(std::move(json));
+  if (notes != nullptr) {
+    Warnings found = sceneNotes(text, name);
+    notes->insert(notes->end(), std::make_move_iterator(found.begin()), std::make_move_iterator(found.end()));
+  }
   Result<Scene> scene = readMembers(*json);
   if (!scene) scene.error().place.file = std::string(name);
   return scene;

@@ -1,9 +1,12 @@
 #include "walk/crowd.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <iterator>
 #include <numeric>
+#include <string>
 #include <utility>
 
 namespace stridegraph {
@@ -34,8 +37,8 @@ std::vector<Vec2> placesOf(const Plan& plan) {
 Crowd::Turn::Turn(const Crowd& crowd, std::size_t who, Traffic others)
     : walker(who),
       traffic(std::move(others)),
-      task{crowd.floor_, crowd.walkers_[who].start, crowd.walkers_[who].goal,
-           traffic,      crowd.underWay(who),       crowd.frame_},
+      task{crowd.floor_, crowd.walkers_[who].start, crowd.walkers_[who].goal, traffic, crowd.underWay(who),
+           crowd.frame_, crowd.refusals_[who]},
       planning(crowd.prepared_, crowd.scene_, crowd.options_, task) {}
 
 Crowd::Crowd(const Prepared& prepared, const Scene& scene, const PlanOptions& options,
@@ -47,9 +50,14 @@ Crowd::Crowd(const Prepared& prepared, const Scene& scene, const PlanOptions& op
       current_(std::move(current)),
       frame_(frame),
       obstacles_(floor_.radiusMetres(), prepared_.library.frames.framesPerSecond) {
-  for (const MovingObstacle& obstacle : scene_.moving) obstacles_.addObstacle(obstacle);
+  for (std::size_t m = 0; m < scene_.moving.size(); ++m)
+    obstacles_.addObstacle(scene_.moving[m], fmt::format("moving block {}", m + 1));
   walkers_.push_back({scene_.start, scene_.goal});
   walkers_.insert(walkers_.end(), scene_.walkers.begin(), scene_.walkers.end());
+  std::vector<Beginner> beginners;
+  for (std::size_t w = 0; w < walkers_.size(); ++w)
+    beginners.push_back({walkers_[w], underWay(w) == nullptr});
+  refusals_ = Overlaps{scene_, floor_.radiusMetres(), options_.goalRadiusMetres}.refusals(beginners);
   findFirst();
 }
 
@@ -136,7 +144,7 @@ std::optional<std::size_t> Crowd::planInTurn(const std::vector<std::size_t>& ord
     Traffic traffic = obstacles_;
     for (std::size_t other = 0; other < order.size(); ++other)
       if (other != turn) meet(order[other], other < turn, traffic);
-    if (mayGoFirst && !wentFirst_[walker] && isInTheWay(walker, traffic)) {
+    if (mayGoFirst && !wentFirst_[walker] && !refusals_[walker] && isInTheWay(walker, traffic)) {
       plans_.clear();
       return walker;
     }
@@ -162,14 +170,15 @@ bool Crowd::isInTheWay(std::size_t walker, Traffic& traffic) const {
 /// Adds another walker as what moves: its walk when it is planned, else where it is at first.
 void Crowd::meet(std::size_t other, bool planned, Traffic& traffic) const {
   const std::array<Vec2, 1> start = {walkers_[other].start.position};
+  const std::string name = fmt::format("walker {}", other + 1);
   if (planned && hasArrived(plans_[other])) {
-    traffic.addBody(placesOf(plans_[other]));
-  } else if (planned) {
-    traffic.addBody(start);
+    traffic.addBody(placesOf(plans_[other]), Traffic::kForEver, name);
+  } else if (planned || (refusals_[other] && underWay(other) == nullptr)) {
+    traffic.addBody(start, Traffic::kForEver, name);
   } else if (const Plan* walk = underWay(other)) {
-    traffic.addBody(placesOf(*walk), static_cast<std::uint32_t>(frame_) + kUnplannedFrames);
+    traffic.addBody(placesOf(*walk), static_cast<std::uint32_t>(frame_) + kUnplannedFrames, name);
   } else {
-    traffic.addBody(start, kUnplannedFrames);
+    traffic.addBody(start, kUnplannedFrames, name);
   }
 }
 

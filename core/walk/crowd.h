@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "walk/overlaps.h"
 #include "walk/planning.h"
 
 namespace stridegraph {
@@ -58,7 +59,8 @@ class Crowd {
   std::size_t frame_;
   Traffic obstacles_;
   std::vector<Walker> walkers_;
-  std::vector<bool> wentFirst_;  ///< Who has gone before all others once.
+  std::vector<std::optional<Refusal>> refusals_;  ///< For each walker why it is not planned, if so.
+  std::vector<bool> wentFirst_;                   ///< Who has gone before all others once.
   std::vector<Plan> plans_;
   Turns turns_;           ///< In the order in which walkers were planned; empty when walks are not improved.
   std::size_t turn_ = 0;  ///< Who looks for a better walk.

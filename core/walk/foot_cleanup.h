@@ -37,6 +37,9 @@ class FootCleanup {
   /// does. Metres, world.
   const std::vector<double>& levelsMetres() const { return levelsMetres_; }
 
+  /// The feet that were made out.
+  const WalkFeet& feet() const { return feet_; }
+
  private:
   WalkFeet feet_;
   std::vector<double> levelsMetres_;

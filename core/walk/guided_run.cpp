@@ -229,11 +229,13 @@ bool GuidedRun::isFree(const FloorTransform& from, std::uint32_t frame, const Se
     const Vec2 point = from * Vec2(sample.cast<double>());
     if (query_.plan.isFree(point)) continue;
     trouble_.blocked = point;
+    trouble_.blockedFrame = frame;
     return false;
   }
   if (query_.traffic == nullptr || query_.traffic->isFree(from, points, frame + 1)) return true;
   ++trouble_.atTraffic;
   trouble_.blocked = from.translation;
+  trouble_.blockedFrame = frame;
   return false;
 }
 

@@ -15,8 +15,6 @@
 namespace stridegraph {
 namespace {
 
-constexpr double kNoBound = std::numeric_limits<double>::infinity();
-
 /// A walk that ends this near the goal can mostly be bent to end on it: 5 % of its last five metres.
 constexpr double kBendableMetres = 0.25;
 
@@ -53,6 +51,9 @@ constexpr GuidedStage kAmongMovers = {.heuristicWeight = 1.18,
                                       .headingCells = 16,
                                       .maxExpansions = 8'000,
                                       .expansionsPerMover = 400.0};
+/// Where another walk has to be bettered: what costs so little is found soon.
+constexpr std::uint64_t kBetteringExpansions = 500;
+constexpr double kBetteringPerMetre = 4'000.0;
 /// When a stage has run through all states.
 constexpr GuidedStage kFiner = {
     .heuristicWeight = 1.2, .cellMetres = 0.1, .headingCells = 48, .maxExpansions = 150'000};
@@ -151,6 +152,8 @@ class GuidedSearch::Stages {
     const double radius = query.goalRadiusMetres;
     const bool canStand = query.standing && query.tables.graph.canEndStanding();
     if (canStand) ends.push_back({true, true, kBendableMetres, true});
+    // Another walk stands where it was asked to.
+    if (hasToBetter()) return ends;
     if (canStand) ends.push_back({true, true, radius});
     ends.push_back({false, true, radius});
     if (canStand && query.goal.heading) ends.push_back({true, false, radius});
@@ -158,7 +161,15 @@ class GuidedSearch::Stages {
     return ends;
   }
 
+  bool hasToBetter() const { return std::isfinite(task_.query().costBound); }
+
   MotionResult seek() {
+    if (hasToBetter()) {
+      GuidedStage stage = task_.meetsOthers() ? kAmongMovers : kUsual;
+      stage.maxExpansions = kBetteringExpansions;
+      stage.expansionsPerMetre = kBetteringPerMetre;
+      return tryStage(stage);
+    }
     MotionResult result = tryStage(task_.meetsOthers() ? kAmongMovers : kUsual);
     if (result.status == SearchStatus::kNoMotion) result = tryStage(kFiner);
     if (result.status == SearchStatus::kBudgetSpent && !task_.outOfTime())
@@ -173,7 +184,7 @@ class GuidedSearch::Stages {
     const double more =
         stage.expansionsPerMetre * task_.metresFromStart() + stage.expansionsPerMover * movers;
     GuidedRun run(task_, params_, stage_, end_);
-    run.begin(startHeadings(task_.query(), params_), kNoBound);
+    run.begin(startHeadings(task_.query(), params_), task_.query().costBound);
     run.advance(stage.maxExpansions + static_cast<std::uint64_t>(more));
     expansions_ += run.result().expansions;
     trouble_.add(run.trouble());

@@ -103,8 +103,11 @@ std::vector<Vec2> GuidedTask::way() const {
 }
 
 std::string GuidedTask::explain(SearchStatus status, const SearchTrouble& trouble) const {
-  if (status != SearchStatus::kBudgetSpent)
-    return explainNoMotion(trouble, query_.plan, query_.start.position);
+  if (status != SearchStatus::kBudgetSpent) {
+    SearchBeginning beginning{query_.start.position};
+    if (meetsOthers()) beginning.mover = query_.traffic->nearestName(trouble.blocked, trouble.blockedFrame);
+    return explainNoMotion(trouble, query_.plan, beginning);
+  }
   return fmt::format(
       "the search used up its budget before a walk was found; {}: try another seed, a larger "
       "budget or more clips",

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -54,6 +55,8 @@ struct MotionQuery {
   /// Whether a walk found will do, from its last metres and the frame of the walk at which these begin; where
   /// it will not, the guided search looks at some more before it takes the first. May be empty.
   std::function<bool(const MotionPath&, std::uint32_t)> accepts{};
+  /// Another walk there costs so much, metres: the guided search looks briefly for one that costs less.
+  double costBound = std::numeric_limits<double>::infinity();
   /// States looked at beyond those of the first walk to find cheaper ones; 0 takes the first.
   std::uint64_t improvementExpansions = 0;
   /// A walk that is at most so many times as long as the field says the disc's way is is good enough.

@@ -76,6 +76,7 @@ struct PlanReport {
   std::size_t frames = 0;
   std::uint64_t expansions = 0;
   std::size_t transitions = 0;
+  std::size_t smallSteps = 0;  ///< Taken from a standing pose to a near goal, where no clip walks there.
   std::vector<std::pair<FrameIndex, FrameIndex>>
       edges;                     ///< Library frames at both ends of every edge played.
   double clearanceMetres = 0.0;  ///< Smallest, of the disc's rim, along the walk; negative when it collides.
@@ -108,7 +109,7 @@ struct PlanReport {
 struct Plan {
   PlanReport report;
   Clip walk;                          ///< Empty unless arrived.
-  std::vector<EdgeKind> frameKinds;   ///< For each frame of the walk: captured or blended.
+  std::vector<EdgeKind> frameKinds;   ///< For each frame of the walk: captured, or blended or stepped.
   std::vector<ContactMask> contacts;  ///< For each frame of the walk, as in the library.
   /// Placements of the walk's frames before its end was bent to the goal; empty where it was not bent.
   std::vector<FloorTransform> unbentWay;
@@ -117,7 +118,8 @@ struct Plan {
   /// and the report's path length is still that of the planner's.
   std::vector<Vec2> path;
   std::vector<Vec2> subgoals;
-  MotionPath motion;                ///< What the walk plays; without steps unless arrived.
+  /// What the walk plays; without steps unless arrived. Of small steps, the frame of the stand.
+  MotionPath motion;
   std::vector<FloorTransform> way;  ///< Where the body stands at each frame of the walk.
   Scene scene;                      ///< What was planned for; of a further walker empty.
   PlanOptions options;              ///< And with which options.

@@ -57,6 +57,7 @@ nlohmann::ordered_json objectOf(const PlanReport& report) {
   json["frames"] = report.frames;
   json["expansions"] = report.expansions;
   json["transitions"] = report.transitions;
+  if (report.smallSteps > 0) json["small_steps"] = report.smallSteps;
   nlohmann::ordered_json edges = nlohmann::ordered_json::array();
   for (const auto& [from, to] : report.edges) edges.push_back({from.value, to.value});
   json["edges"] = std::move(edges);
@@ -77,10 +78,15 @@ nlohmann::ordered_json objectOf(const PlanReport& report) {
   return json;
 }
 
+/// Texts that are not UTF-8 do not make it fail: their wrong bytes become U+FFFD.
+std::string textOf(const nlohmann::ordered_json& json) {
+  return json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
 }  // namespace
 
 std::string toJson(const PlanReport& report) {
-  return objectOf(report).dump(1);
+  return textOf(objectOf(report));
 }
 
 std::string toJson(const Plan& plan) {
@@ -89,7 +95,7 @@ std::string toJson(const Plan& plan) {
     json["walkers"] = nlohmann::ordered_json::array();
     for (const Plan& other : plan.others) json["walkers"].push_back(objectOf(other.report));
   }
-  return json.dump(1);
+  return textOf(json);
 }
 
 }  // namespace stridegraph

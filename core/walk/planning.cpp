@@ -1,11 +1,14 @@
 #include "walk/planning.h"
+#include "motion/resample.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
 
+#include "motion/resample.h"
 #include "path/polyline.h"
+#include "walk/near_goal.h"
 #include "walk/onward.h"
 #include "walk/plan_measures.h"
 #include "walk/synthesis.h"
@@ -18,6 +21,10 @@ constexpr double kLongestWayFrames = 3600.0 * 240.0;
 
 /// How far the search may leave the walk turned from the heading asked for at the goal.
 constexpr Angle kGoalTurn = Angle::degrees(10.0);
+
+/// A walk to a near goal that drives a joint harder than this, as a share of what the clips show, is worse
+/// than small steps.
+constexpr double kSoundRatio = 1.8;
 
 /// Milliseconds between two calls, by the clock handed in; 0 without one.
 class Stopwatch {
@@ -93,6 +100,11 @@ class Planning::Stages {
   }
 
   void findFirst() {
+    if (task_.refusal) {
+      plan_.report.status = task_.refusal->status;
+      plan_.report.explanation = task_.refusal->explanation;
+      return;
+    }
     if (task_.underWay != nullptr) {
       turn_ = turnOff(prepared_.tables.graph, *task_.underWay, task_.frame);
       if (!turn_) {
@@ -121,8 +133,12 @@ class Planning::Stages {
   Plan plan() const {
     Plan plan = plan_;
     PlanReport& report = plan.report;
-    if (search_) tellOf(search_->best(), plan);
-    if (report.status == PlanStatus::kArrived) makeWalk(search_->best().path, plan);
+    if (steps_) {
+      makeSteps(plan);
+    } else {
+      if (search_) tellOf(search_->best(), plan);
+      if (report.status == PlanStatus::kArrived) makeWalk(search_->best().path, plan);
+    }
     update(report);
     return plan;
   }
@@ -153,7 +169,8 @@ class Planning::Stages {
   std::string takenBy() const {
     const double near = Traffic::kMarginMetres - options_.goalRadiusMetres;
     if (!task_.traffic.staysClearOfBodies(task_.goal.position, Traffic::kInTheEnd, near))
-      return "another walker stays at the goal";
+      return fmt::format("{} stays at the goal",
+                         task_.traffic.nearestName(task_.goal.position, Traffic::kInTheEnd));
     const double fastest = prepared_.tables.graph.fastestMetresPerFrame();
     if (!(fastest > 0.0)) return {};  // A library that only stands: the search says so.
     const double metres = (task_.goal.position - start_.position).norm() - options_.goalRadiusMetres;
@@ -161,14 +178,54 @@ class Planning::Stages {
     const std::uint32_t begun = turn_ ? turn_->onward.frame : 0;
     if (!task_.traffic.isNeverFree(task_.goal.position, near, begun + static_cast<std::uint32_t>(frames)))
       return {};
-    return "something that moves is at the goal whenever the walk could end there";
+    return fmt::format(
+        "{} is at the goal whenever the walk could end there",
+        task_.traffic.nearestName(task_.goal.position, begun + static_cast<std::uint32_t>(frames)));
+  }
+
+  /// Small steps, where the goal is near and the body begins and ends standing.
+  std::optional<StepsToGoal> smallSteps() const {
+    if (options_.search != SearchKind::kGuided || !options_.standing || turn_ || !prepared_.standing)
+      return std::nullopt;
+    std::optional<StepsToGoal> steps =
+        stepsToGoal(library_, *prepared_.standing, task_.start, task_.goal,
+                    [this](std::span<const FloorTransform> way) { return isFree(way); });
+    if (!steps) return std::nullopt;
+    const std::optional<double>& latest = scene_.constraints.latestArrivalSeconds;
+    const double seconds =
+        static_cast<double>(steps->walk.placements.size() - 1) / library_.frames.framesPerSecond;
+    if (latest && seconds > *latest) return std::nullopt;
+    return steps;
+  }
+
+  /// Whether the walk that a search found leads to a near goal as directly as people go, and drives no joint
+  /// so hard that small steps look better.
+  bool isAsGoodAsSteps(const MotionResult& found) const {
+    if (found.status != SearchStatus::kArrived) return false;
+    if (!steps_) return true;
+    Plan trial;
+    trial.report = plan_.report;
+    makeWalk(found.path, trial);
+    return isDirect(*steps_, trial.report.motionLengthMetres) &&
+           std::max(trial.report.jointSpeed.ratio, trial.report.jointAcceleration.ratio) <= kSoundRatio;
+  }
+
+  /// Whether a walk's way from its first frame on touches nothing, and nobody comes to where it ends.
+  bool isFree(std::span<const FloorTransform> way) const {
+    const auto end = static_cast<std::uint32_t>(way.size() - 1);
+    return std::all_of(way.begin(), way.end(),
+                       [this](const FloorTransform& at) { return task_.floor.isFree(at.translation); }) &&
+           task_.traffic.isFree(way, 0) && task_.traffic.staysClearOfBodies(way.back().translation, end);
   }
 
   void findMotion() {
     searching_.emplace(options_.clock);
     if (options_.search == SearchKind::kGuided) plan_.report.explanation = takenBy();
     if (plan_.report.explanation.empty()) {
-      search_ = searchMotion(options_.search, query());
+      steps_ = smallSteps();
+      // Who stands there already need not look for a walk.
+      if (!steps_ || !steps_->plan.steps.empty()) search_ = searchMotion(options_.search, query());
+      if (search_ && isAsGoodAsSteps(search_->best())) steps_.reset();
     } else {
       plan_.report.status = PlanStatus::kGoalBlocked;
     }
@@ -186,6 +243,7 @@ class Planning::Stages {
     query.accepts = [this](const MotionPath& end, std::uint32_t first) {
       return bent(placementsAlong(library_, end), first).has_value();
     };
+    if (steps_) query.costBound = steps_->costMetres;
     query.improvementExpansions = options_.improvementExpansions;
     query.enoughRatio = options_.enoughRatio;
     query.outOfTime = [this] {
@@ -206,6 +264,9 @@ class Planning::Stages {
   void tellOf(const MotionResult& found, Plan& plan) const {
     plan.report.status = statusOf(found.status);
     plan.report.explanation = found.explanation;
+    if (found.status == SearchStatus::kNoMotion && !turn_ && options_.standing)
+      plan.report.explanation +=
+          nearGoalNote(prepared_.tables, (task_.goal.position - start_.position).norm());
     if (found.way.empty()) return;
     plan.path = found.way;
     plan.subgoals = subgoals(plan.path, options_.subgoalSpacingMetres);
@@ -232,6 +293,8 @@ class Planning::Stages {
     moveRoots(made.placements, plan.way, made.clip);
     if (options_.footCleanup) cleanFeet(made, report);
     if (turn_) fadeFrom(task_.underWay->walk, task_.frame, made.clip);
+    // Seams join clips whose quaternions may differ by the sign, and headings are known up to whole turns.
+    makeSignsContinuous(made.clip);
     measurePlan({library_, prepared_.tables.graph, prepared_.sources, task_.floor, scene_, task_.goal,
                  options_, plan.motion, made.clip, task_.traffic},
                 report);
@@ -239,6 +302,36 @@ class Planning::Stages {
     plan.frameKinds = std::move(made.frameKinds);
     plan.contacts = std::move(made.contacts);
     report.synthesisMilliseconds = watch.elapsed();
+  }
+
+  void makeSteps(Plan& plan) const {
+    const Stopwatch watch(options_.clock);
+    PlanReport& report = plan.report;
+    const FrameIndex stand = prepared_.standing->frame;
+    SynthesisedWalk made = steps_->walk;
+    plan.motion = {steps_->plan.start, {WalkStep{clipPiece(stand, stand)}}};
+    plan.way = made.placements;
+    report.status = PlanStatus::kArrived;
+    report.smallSteps = steps_->plan.steps.size();
+    report.contacts = report.smallSteps + 2;
+    measurePlan({library_, prepared_.tables.graph, prepared_.sources, task_.floor, scene_, task_.goal,
+                 options_, plan.motion, made.clip, task_.traffic},
+                report);
+    addStepNote(report);
+    plan.walk = std::move(made.clip);
+    plan.frameKinds = std::move(made.frameKinds);
+    plan.contacts = std::move(made.contacts);
+    report.synthesisMilliseconds = watch.elapsed();
+  }
+
+  /// Says that steps are made up.
+  static void addStepNote(PlanReport& report) {
+    const std::string note =
+        report.smallSteps == 0
+            ? "the start is at the goal: the body stands there"
+            : fmt::format("no clip leads there so directly: {} small steps are taken from a standing pose",
+                          report.smallSteps);
+    report.explanation = report.explanation.empty() ? note : fmt::format("{}; {}", note, report.explanation);
   }
 
   /// Bends what is still to be gone of the way.
@@ -273,6 +366,7 @@ class Planning::Stages {
   Plan plan_;                                   ///< But for what the search finds.
   std::optional<Stopwatch> searching_;          ///< Since the search was last carried on.
   std::unique_ptr<MotionSearch> search_;        ///< Where there is a path.
+  std::optional<StepsToGoal> steps_;            ///< To a near goal, where the search knows none better.
 };
 
 Planning::Planning(const Prepared& prepared, const Scene& scene, const PlanOptions& options,

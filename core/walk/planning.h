@@ -2,12 +2,15 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 #include "walk/foot_cleanup.h"
+#include "walk/overlaps.h"
 #include "walk/pace_tables.h"
 #include "walk/plan.h"
 #include "walk/search_tables.h"
 #include "walk/source_figures.h"
+#include "walk/standing_body.h"
 #include "walk/traffic.h"
 
 namespace stridegraph {
@@ -19,6 +22,7 @@ struct Prepared {
   const FootCleanup& feet;
   const SourceFigures& sources;
   PaceTables& paces;
+  const std::optional<StandingBody>& standing;  ///< What small steps are taken from, where it can stand.
 };
 
 /// One walker's part of a scene.
@@ -30,6 +34,7 @@ struct PlanTask {
   const Plan* underWay =
       nullptr;  ///< A walk that is to go on differently from `frame` on; null for a new one.
   std::size_t frame = 0;
+  std::optional<Refusal> refusal = {};  ///< Why this walker is not even planned.
 };
 
 /// One walk in the making: path, motion, synthesis, and the search for better ones. A walk under way stays

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "scene/track.h"
 
@@ -16,8 +17,9 @@ constexpr double kForesightSeconds = 600.0;
 
 }  // namespace
 
-void Traffic::addObstacle(const MovingObstacle& obstacle) {
+void Traffic::addObstacle(const MovingObstacle& obstacle, std::string name) {
   Mover mover;
+  mover.name = std::move(name);
   mover.obstacle = obstacle;
   mover.halfSize = 0.5 * obstacle.size;
   mover.roundMetres = radiusMetres_;
@@ -37,8 +39,9 @@ void Traffic::addObstacle(const MovingObstacle& obstacle) {
   movers_.push_back(std::move(mover));
 }
 
-void Traffic::addBody(std::span<const Vec2> way, std::uint32_t goneFrom) {
+void Traffic::addBody(std::span<const Vec2> way, std::uint32_t goneFrom, std::string name) {
   Mover mover;
+  mover.name = std::move(name);
   mover.way.assign(way.begin(), way.end());
   mover.goneFrom = goneFrom;
   mover.roundMetres = 2.0 * radiusMetres_;
@@ -73,6 +76,18 @@ double Traffic::clearance(const Vec2& point, std::uint32_t frame) {
   double nearest = std::numeric_limits<double>::infinity();
   for (Mover& mover : movers_) nearest = std::min(nearest, distance(mover, point, frame));
   return nearest;
+}
+
+std::string Traffic::nearestName(const Vec2& point, std::uint32_t frame) {
+  std::string name = "something that moves";
+  double nearest = std::numeric_limits<double>::infinity();
+  for (Mover& mover : movers_) {
+    const double metres = distance(mover, point, frame);
+    if (metres >= nearest) continue;
+    nearest = metres;
+    name = mover.name;
+  }
+  return name;
 }
 
 bool Traffic::isFree(const FloorTransform& from, std::span<const Eigen::Vector2f> samples,

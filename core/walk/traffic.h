@@ -4,6 +4,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "math/floor_transform.h"
@@ -26,16 +27,20 @@ class Traffic {
   Traffic(double radiusMetres, double framesPerSecond)
       : radiusMetres_(radiusMetres), framesPerSecond_(framesPerSecond) {}
 
-  void addObstacle(const MovingObstacle& obstacle);
+  /// The name is what people are told: "moving block 2".
+  void addObstacle(const MovingObstacle& obstacle, std::string name = "something that moves");
   /// A disc of the same radius that is at way[f] at frame f, stays where the way ends, and is gone from a
-  /// frame on.
-  void addBody(std::span<const Vec2> way, std::uint32_t goneFrom = kForEver);
+  /// frame on. The name is what people are told: "walker 2".
+  void addBody(std::span<const Vec2> way, std::uint32_t goneFrom = kForEver,
+               std::string name = "another walker");
 
   bool empty() const { return movers_.empty(); }
   std::size_t size() const { return movers_.size(); }
   /// Distance of the disc's rim at the point to the nearest thing that is there at that frame, metres;
   /// negative when it touches it, infinite when nothing moves.
   double clearance(const Vec2& point, std::uint32_t frame);
+  /// The name of what that nearest thing is; "something that moves" where there is none.
+  std::string nearestName(const Vec2& point, std::uint32_t frame);
   /// Whether a disc that goes along the samples of a way from a placement touches nothing; sample s is shown
   /// at firstFrame + s.
   bool isFree(const FloorTransform& from, std::span<const Eigen::Vector2f> samples, std::uint32_t firstFrame);
@@ -56,6 +61,7 @@ class Traffic {
     MovingObstacle obstacle;  ///< Without a track for a body.
     std::vector<Vec2> way;    ///< As far as it is worked out, frame by frame.
     std::uint32_t goneFrom = kForEver;
+    std::string name;
     Vec2 halfSize = Vec2::Zero();
     double reachMetres = 0.0;     ///< Nearer than this, and the margin, its middle may touch.
     double roundMetres = 0.0;     ///< Radius of its corners, grown by the one who asks.

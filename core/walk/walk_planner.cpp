@@ -57,7 +57,8 @@ WalkPlanner::WalkPlanner(std::shared_ptr<const MotionLibrary> library)
       sources_(sourceFigures(*library_)),
       tables_(*library_, sources_.limits),
       paces_(std::make_unique<PaceTables>(tables_.graph, tables_.steering, library_->frames.framesPerSecond)),
-      feet_(*library_) {}
+      feet_(*library_),
+      standing_(standingBody(*library_, feet_.feet())) {}
 
 Result<Plan> WalkPlanner::plan(const Scene& scene, const PlanOptions& options) const {
   return finished(begin(scene, options));
@@ -92,7 +93,7 @@ Result<AnytimePlan> WalkPlanner::beginOnward(const Plan& current, std::size_t fr
 }
 
 Prepared WalkPlanner::prepared() const {
-  return {*library_, tables_, feet_, sources_, *paces_};
+  return {*library_, tables_, feet_, sources_, *paces_, standing_};
 }
 
 }  // namespace stridegraph

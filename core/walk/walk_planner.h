@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 
 #include "base/result.h"
 #include "graph/library.h"
@@ -11,6 +12,7 @@
 #include "walk/plan.h"
 #include "walk/search_tables.h"
 #include "walk/source_figures.h"
+#include "walk/standing_body.h"
 
 namespace stridegraph {
 
@@ -53,6 +55,7 @@ class WalkPlanner {
   SearchTables tables_;
   std::unique_ptr<PaceTables> paces_;
   FootCleanup feet_;
+  std::optional<StandingBody> standing_;
 };
 
 }  // namespace stridegraph

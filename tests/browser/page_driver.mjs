@@ -153,6 +153,54 @@ export class Visit {
     await this.page.mouse.up()
   }
 
+  /** Waits until every text on the view is drawn; returns those that nobody can draw. */
+  async untilLettered() {
+    await this.framesPass()
+    await this.page.waitForFunction(() => !globalThis.stridegraphApp.lettering().waiting)
+    await this.framesPass()
+    return this.page.evaluate(() => globalThis.stridegraphApp.lettering().missing)
+  }
+
+  /** The scene's name as it is drawn, as PNG. */
+  async pictureOfName() {
+    const box = await this.canvas.boundingBox()
+    return this.page.screenshot({ clip: { x: box.x + 20, y: box.y + 72, width: 220, height: 30 } })
+  }
+
+  /** Drops files [{name, bytes}] on the view, as a person does from a folder. */
+  async drop(files) {
+    const plain = files.map(({ name, bytes }) => ({ name, base64: Buffer.from(bytes).toString('base64') }))
+    const dataTransfer = await this.page.evaluateHandle((wanted) => {
+      const transfer = new DataTransfer()
+      for (const { name, base64 } of wanted) {
+        const bytes = Uint8Array.from(atob(base64), (character) => character.charCodeAt(0))
+        transfer.items.add(new File([bytes], name))
+      }
+      return transfer
+    }, plain)
+    await this.page.dispatchEvent('#view', 'drop', { dataTransfer })
+  }
+
+  /** Waits for a dialog by its id; returns its text. */
+  async dialogText(id) {
+    await this.page.waitForSelector(`#${id}[open]`, { timeout: patience })
+    return this.page.locator(`#${id}`).innerText()
+  }
+
+  /** Presses a button of a dialog, and waits until the dialog is gone. */
+  async answer(id, label) {
+    await this.page.locator(`#${id}`).getByRole('button', { name: label, exact: true }).click()
+    await this.page.waitForSelector(`#${id}`, { state: 'detached', timeout: patience })
+  }
+
+  /** The bytes of what a button of the page gives away, and its name. */
+  async download(selector) {
+    const [given] = await Promise.all([this.page.waitForEvent('download'), this.page.click(selector)])
+    const chunks = []
+    for await (const chunk of await given.createReadStream()) chunks.push(chunk)
+    return { name: given.suggestedFilename(), bytes: Buffer.concat(chunks) }
+  }
+
   async screenshot(name) {
     await this.page.screenshot({ path: `${screenshots}${name}.png` })
   }

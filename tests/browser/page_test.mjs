@@ -330,9 +330,9 @@ describe('files', () => {
         buffer: Buffer.from('HIERARCHY\nROOT hip\n'),
       }
       await visit.page.setInputFiles('#file', file)
-      const state = await visit.until((now) => now.notice !== '')
-      assert.match(state.notice, /broken\.bvh:\d+:\d+: found/)
-      assert.deepEqual(state.plan, first.plan)
+      assert.match(await visit.dialogText('problem-dialog'), /broken\.bvh:\d+:\d+\s+found/)
+      await visit.answer('problem-dialog', 'Close')
+      assert.deepEqual((await visit.state()).plan, first.plan)
     }))
 
   it('that are no scene are refused with a sentence', () =>
@@ -340,9 +340,9 @@ describe('files', () => {
       const first = await visit.untilPlanned()
       const file = { name: 'broken.json', mimeType: 'application/json', buffer: Buffer.from('{"width": 3') }
       await visit.page.setInputFiles('#file', file)
-      const state = await visit.until((now) => now.notice !== '')
-      assert.match(state.notice, /broken\.json/)
-      assert.deepEqual(state.scene, first.scene)
+      assert.match(await visit.dialogText('problem-dialog'), /broken\.json/)
+      await visit.answer('problem-dialog', 'Close')
+      assert.deepEqual((await visit.state()).scene, first.scene)
     }))
 })
 

@@ -64,7 +64,8 @@ void requireWritable(const BvhDocument& document) {
 
 /// The JSON of a binary glTF can be read by any reader.
 void requireGlb(const BvhDocument& document) {
-  const std::vector<std::uint8_t> glb = writeGlb(document.skeleton, document.clip);
+  const RoundBody body = roundBody(document.skeleton, document.clip);
+  const std::vector<std::uint8_t> glb = writeGlb(document.skeleton, body, document.clip);
   constexpr std::size_t kHeader = 20;
   require(glb.size() > kHeader, "a GLB has a header");
   const std::size_t size = glb[12] + 256U * glb[13] + 65536U * glb[14] + 16777216U * glb[15];

@@ -36,7 +36,7 @@ describe('refusals of clips', () => {
 
   it('name the clip whose skeleton is another', () => {
     const other = { name: 'other.bvh', text: walkerBvh({ armLength: 70 }) }
-    refuses('skeleton_mismatch', /other\.bvh|offset/, () => engine.buildLibrary([walkerClip(), other]))
+    refuses('skeleton_mismatch', /other\.bvh|cm, expected/, () => engine.buildLibrary([walkerClip(), other]))
   })
 
   it('say when all clips are too short', () => {

@@ -3,6 +3,7 @@ import {
   loadStridegraph,
   StridegraphError,
   type BuildReport,
+  type ClipInspection,
   type Scene,
   type Walk,
 } from '../../build/wasm/stridegraph.mjs'
@@ -33,7 +34,11 @@ export async function useEverything(bytes: ArrayBuffer, signal: AbortSignal): Pr
   const report: BuildReport | undefined = mine.buildReport
   console.log(report?.survivingShare, report?.warnings[0]?.line)
 
-  const build = sg.startBuild([clip], { units: 0.01 })
+  const file = { name: 'walk.bvh', bytes, up: 'z' as const }
+  const { doubts, joints, heightMetres }: ClipInspection = sg.inspectClip(file, { units: 'auto' })
+  console.log(doubts.includes('unit'), joints[0]?.name, heightMetres, mine.notes[0]?.topic)
+  console.log(sg.inspectScene(scene).warnings[0]?.message)
+  const build = sg.startBuild([clip, file], { units: 0.01 })
   while (build.step()) console.log(build.progress)
   build.finish().delete()
   const onProgress = (progress: number) => console.log(progress)
@@ -60,6 +65,8 @@ export async function useEverything(bytes: ArrayBuffer, signal: AbortSignal): Pr
   } catch (reason) {
     if (reason instanceof StridegraphError) console.log(reason.code, reason.file, reason.line, reason.column)
   }
+  // @ts-expect-error: a clip without text or bytes
+  sg.inspectClip({ name: 'walk.bvh' })
   // @ts-expect-error: an unknown planner
   library.plan(scene, { planner: 'a-star' })
   // @ts-expect-error: an unknown gait

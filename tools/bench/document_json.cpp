@@ -1,12 +1,12 @@
 #include "bench/document_json.h"
 
 #include <map>
-#include <nlohmann/json.hpp>
+
+#include "program/json_document.h"
+#include "scene/json_text.h"
 
 namespace stridegraph::bench {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// Every member of a run but its seed and its shortest path, by its name in JSON.
 template <typename Run, typename Visit>
@@ -94,11 +94,11 @@ std::string writeBenchJson(const BenchDocument& document) {
   Json json = {{"runs", Json::array()}, {"growth", Json::array()}};
   for (const BenchRun& run : document.runs) json["runs"].push_back(toJson(run));
   for (const GrowthRow& row : document.growth) json["growth"].push_back(toJson(row));
-  return json.dump(1) + "\n";
+  return tools::documentText(json);
 }
 
 Result<void> joinBenchJson(std::string_view text, const std::string& name, BenchDocument& document) {
-  const Json json = Json::parse(text, nullptr, false);
+  const Json json = parseJson(text, name).value_or(Json());
   if (!json.is_object() || !json.contains("runs") || !json["runs"].is_array())
     return fail(ErrorCode::kInvalidArgument, "found no list of runs, expected what bench --json writes",
                 {name});

@@ -6,7 +6,7 @@
 #include "figures/svg.h"
 #include "math/angle.h"
 #include "math/floor_transform.h"
-#include "render/body.h"
+#include "motion/round_body.h"
 
 namespace stridegraph::figures {
 

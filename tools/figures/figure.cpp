@@ -2,6 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <cstddef>
+
+#include "figures/make_figures.h"
+
 namespace stridegraph::figures {
 namespace {
 
@@ -53,23 +58,34 @@ std::string fileNameFrom(std::string_view name) {
   return file;
 }
 
-std::vector<FigureSection> makeFigures(const FigureInputs& inputs) {
-  std::vector<FigureSection> sections;
-  const auto add = [&](std::string title, std::vector<Figure> figures) {
-    if (!figures.empty()) sections.push_back({std::move(title), std::move(figures)});
+std::vector<FigureSection> makeFigures(const FigureInputs& inputs,
+                                       const std::function<void(double)>& progress) {
+  struct Stage {
+    const char* title;
+    std::vector<Figure> (*draw)(const FigureInputs&);
   };
-  add("A planned walk", stripFigures(inputs));
-  add("Clips", poseFigures(inputs));
-  add("Feet", footFigures(inputs));
-  add("Likeness of clips", similarityFigures(inputs));
-  add("Transitions", rootPathFigures(inputs));
-  add("Motion graph", graphFigures(inputs));
-  add("Paths", pathFigures(inputs));
-  add("Walks", walkFigures(inputs));
-  add("Two searches", searchFigures(inputs));
-  add("Clean feet", footCleanupFigures(inputs));
-  add("Arrival", arrivalFigures(inputs));
+  constexpr std::array<Stage, 11> kStages = {{{"A planned walk", stripFigures},
+                                              {"Clips", poseFigures},
+                                              {"Feet", footFigures},
+                                              {"Likeness of clips", similarityFigures},
+                                              {"Transitions", rootPathFigures},
+                                              {"Motion graph", graphFigures},
+                                              {"Paths", pathFigures},
+                                              {"Walks", walkFigures},
+                                              {"Two searches", searchFigures},
+                                              {"Clean feet", footCleanupFigures},
+                                              {"Arrival", arrivalFigures}}};
+  std::vector<FigureSection> sections;
+  for (std::size_t i = 0; i < kStages.size(); ++i) {
+    progress(static_cast<double>(i) / static_cast<double>(kStages.size()));
+    std::vector<Figure> figures = kStages.at(i).draw(inputs);
+    if (!figures.empty()) sections.push_back({kStages.at(i).title, std::move(figures)});
+  }
   return sections;
+}
+
+std::vector<FigureSection> makeFigures(const FigureInputs& inputs) {
+  return makeFigures(inputs, [](double) {});
 }
 
 std::string indexPage(const std::vector<FigureSection>& sections, const std::vector<FigureFolder>& folders,

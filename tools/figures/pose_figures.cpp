@@ -64,7 +64,7 @@ std::vector<std::size_t> framesOf(const Clip& clip) {
 /// right.
 void drawStrip(Svg& svg, const MotionLibrary& library, const Strip& strip, double topPixels) {
   const std::vector<std::size_t> frames = framesOf(strip.clip);
-  const std::vector<Bone> bones = bonesFor(library.skeleton, library.frames.pose(0));
+  const RoundBody body = roundBody(library.skeleton, library.frames);
   const Heading first = rootPlacement(strip.clip.pose(frames.front())).heading - library.facingOffset;
   View view = View::from(first.angle() - Angle::degrees(90.0), Angle::degrees(4.0), kPixelsPerMetre);
   const double floorPixels = topPixels + kStripPixels - 26.0;
@@ -76,7 +76,7 @@ void drawStrip(Svg& svg, const MotionLibrary& library, const Strip& strip, doubl
     const double x = kMarginPixels + 30.0 + spacing * static_cast<double>(i);
     view.originPixels = Vec2::Zero();
     view.originPixels = Vec2(x, floorPixels) - view.at(below);
-    drawBody(svg, placeBones(bones, library.skeleton, strip.clip.pose(frames[i])), view, "#e88a5a");
+    drawBody(svg, placeParts(body, library.skeleton, strip.clip.pose(frames[i])), view, "#e88a5a");
     svg.text({x, floorPixels + 17.0},
              fmt::format("{:.2f} s", static_cast<double>(frames[i]) / strip.clip.framesPerSecond),
              {11.0, Anchor::kMiddle, palette::kQuiet});

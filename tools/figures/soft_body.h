@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "math/types.h"
-#include "render/body.h"
+#include "motion/round_body.h"
 
 namespace stridegraph::figures {
 

@@ -95,12 +95,12 @@ std::vector<Figure> stripFigures(const FigureInputs& inputs) {
   drawFloor(svg, view, scene.widthMetres, floor);
   svg.endClip();
   drawFootprints(svg, view, library, *plan);
-  const std::vector<Bone> bones = bonesFor(library.skeleton, library.frames.pose(0));
+  const RoundBody body = roundBody(library.skeleton, library.frames);
   const std::vector<std::size_t> frames = framesToShow(plan->walk);
   for (const std::size_t f : frames) drawShadow(svg, view, plan->walk.rootPositions[f], floor);
   for (const std::size_t f : frames) {
     const bool blended = plan->frameKinds[f] == EdgeKind::kTransition;
-    drawBody(svg, placeBones(bones, library.skeleton, plan->walk.pose(f)), view,
+    drawBody(svg, placeParts(body, library.skeleton, plan->walk.pose(f)), view,
              blended ? "#8f7fe0" : "#e88a5a");
     svg.text(view.atFloor({plan->walk.rootPositions[f].x(), kMiddleMetres + 1.12}, floor),
              fmt::format("{:.1f} s", static_cast<double>(f) / plan->walk.framesPerSecond),

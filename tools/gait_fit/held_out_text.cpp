@@ -4,6 +4,7 @@
 
 #include "gait_fit/held_out.h"
 #include "gait_fit/joint_names.h"
+#include "program/json_document.h"
 
 namespace stridegraph::gait_fit {
 namespace {
@@ -83,7 +84,7 @@ std::string toJson(const std::vector<NamedFigures>& gaits) {
       out["clips"].push_back(std::move(ofClip));
     }
   }
-  return json.dump(1) + "\n";
+  return tools::documentText(json);
 }
 
 }  // namespace stridegraph::gait_fit

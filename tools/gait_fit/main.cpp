@@ -1,17 +1,20 @@
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-#include <cstdio>
 #include <filesystem>
 #include <functional>
 
-#include "commands.h"
-#include "files.h"
 #include "gait_fit/held_out.h"
 #include "gait_fit/pictures.h"
 #include "gait_fit/retarget.h"
 #include "gait_fit/table.h"
+#include "motion/bvh_limits.h"
 #include "motion/bvh_reader.h"
+#include "program/arguments.h"
+#include "program/file_identity.h"
+#include "program/files.h"
+#include "program/output_files.h"
+#include "program/run_program.h"
+#include "program/shown_text.h"
 
 namespace stridegraph::tools {
 namespace {
@@ -39,7 +42,7 @@ struct Measured {
 };
 
 int refuse(const Error& error) {
-  fmt::print(stderr, "gait_fit: {}\n", describe(error));
+  complain("gait_fit", describe(error));
   const bool cannotFit = error.code == ErrorCode::kClipTooShort || error.code == ErrorCode::kInvalidArgument;
   return cannotFit ? kRefused : kWrongUse;
 }
@@ -48,14 +51,14 @@ Result<std::vector<Clip>> readClips(const std::vector<std::string>& paths, Gait 
   std::vector<Clip> clips;
   Skeleton skeleton;
   for (const std::string& path : paths) {
-    auto text = readFile(path);
-    if (!text) return fail(std::move(text));
-    auto document = readBvh(*text, path);
+    auto bytes = readFile(path, kMostBvhBytes);
+    if (!bytes) return fail(std::move(bytes));
+    auto document = readBvh(*bytes, shownText(path));
     if (!document) return fail(std::move(document));
     if (clips.empty()) skeleton = document->skeleton;
     const std::string difference = differenceBetween(skeleton, document->skeleton);
-    if (!difference.empty()) return fail(ErrorCode::kSkeletonMismatch, difference, {path});
-    document->clip.name = std::filesystem::path(path).stem().string();
+    if (!difference.empty()) return fail(ErrorCode::kSkeletonMismatch, difference, {shownText(path)});
+    document->clip.name = shownText(std::filesystem::path(path).stem().string());
     clips.push_back(std::move(document->clip));
   }
   return onGaitBody(skeleton, clips, gait);
@@ -74,33 +77,50 @@ Result<Measured> measure(std::vector<Clip> clips, const FitParams& params, doubl
 }
 
 Result<void> writeHeldOut(const std::string& folder, const Measured& walk, const Measured& jog) {
-  std::error_code failed;
-  std::filesystem::create_directories(folder, failed);
-  if (failed) return fail(ErrorCode::kFile, "cannot be made: " + failed.message(), {folder});
+  if (auto made = makeFolder(folder); !made) return made;
+  OutputFiles files;
   std::vector<NamedFigures> figures;
   for (const auto& [name, measured] : {std::pair{"walk", &walk}, std::pair{"jog", &jog}}) {
     auto found = measureHeldOut(measured->fit);
     if (!found) return fail(std::move(found));
     figures.push_back({name, std::move(*found)});
     for (const Picture& picture : picturesOf(measured->fit, measured->table, name)) {
-      auto written = writeFile(folder + "/" + picture.name + ".svg", picture.svg);
-      if (!written) return written;
+      if (auto added = files.add(folder + "/" + picture.name + ".svg", picture.svg); !added) return added;
     }
   }
   const std::string markdown = toMarkdown(figures);
-  fmt::print("{}", markdown);
-  auto written = writeFile(folder + "/held_out.md", markdown);
-  return written ? writeFile(folder + "/held_out.json", toJson(figures)) : written;
+  print(stdout, markdown);
+  if (auto added = files.add(folder + "/held_out.md", markdown); !added) return added;
+  if (auto added = files.add(folder + "/held_out.json", toJson(figures)); !added) return added;
+  return files.commit();
 }
 
 Result<void> writeTables(const FitArguments& arguments, const FittedTables& tables) {
-  Result<void> written;
-  if (!arguments.sourcePath.empty()) written = writeFile(arguments.sourcePath, toSource(tables));
-  if (written && !arguments.jsonPath.empty()) written = writeFile(arguments.jsonPath, toJson(tables));
-  return written;
+  OutputFiles files;
+  Result<void> added;
+  if (!arguments.sourcePath.empty()) added = files.add(arguments.sourcePath, toSource(tables));
+  if (added && !arguments.jsonPath.empty()) added = files.add(arguments.jsonPath, toJson(tables));
+  return added ? files.commit() : added;
+}
+
+Result<void> checkPaths(const FitArguments& arguments) {
+  std::vector<NamedPath> inputs;
+  for (const std::string& path : arguments.walkPaths) inputs.push_back({"--walk", path});
+  for (const std::string& path : arguments.jogPaths) inputs.push_back({"--jog", path});
+  std::vector<NamedPath> outputs;
+  if (!arguments.sourcePath.empty()) outputs.push_back({"--source", arguments.sourcePath});
+  if (!arguments.jsonPath.empty()) outputs.push_back({"--json", arguments.jsonPath});
+  return checkOutputs(inputs, outputs);
+}
+
+std::vector<std::string> shownOrigin(const FitArguments& arguments) {
+  std::vector<std::string> sentences;
+  for (const std::string& sentence : arguments.origin) sentences.push_back(shownText(sentence));
+  return sentences;
 }
 
 int run(const FitArguments& arguments) {
+  if (auto checked = checkPaths(arguments); !checked) return refuse(checked.error());
   auto walks = readClips(arguments.walkPaths, Gait::kWalk);
   if (!walks) return refuse(walks.error());
   auto jogs = readClips(arguments.jogPaths, Gait::kJog);
@@ -111,7 +131,7 @@ int run(const FitArguments& arguments) {
   if (!walk) return refuse(walk.error());
   auto jog = measure(std::move(*jogs), arguments.jog, arguments.jogReach);
   if (!jog) return refuse(jog.error());
-  const auto written = writeTables(arguments, {walk->table, jog->table, *standing, arguments.origin});
+  const auto written = writeTables(arguments, {walk->table, jog->table, *standing, shownOrigin(arguments)});
   if (!written) return refuse(written.error());
   if (arguments.heldOutFolder.empty()) return kDone;
   const auto evaluated = writeHeldOut(arguments.heldOutFolder, *walk, *jog);
@@ -122,57 +142,70 @@ int run(const FitArguments& arguments) {
 struct SharedOption {
   std::string name;
   std::function<double&(FitParams&)> member;
-  double low;
-  double high;
+  NumberRange range;
   std::string help;
 };
 
 void addShared(CLI::App& program, FitArguments& arguments, const SharedOption& option) {
-  const auto set = [&arguments, member = option.member](const double& value) {
-    member(arguments.walk) = member(arguments.jog) = value;
+  const auto set = [&arguments, option](const std::string& text) {
+    const double value = numberOrThrow(option.name, text, option.range);
+    option.member(arguments.walk) = option.member(arguments.jog) = value;
   };
-  program.add_option_function<double>(option.name, set, option.help)
-      ->check(CLI::Range(option.low, option.high))
-      ->default_str(fmt::format("{:g}", option.member(arguments.walk)));
+  addText(program, option.name, set, option.help + ": " + describe(option.range))
+      ->type_name("X")
+      ->default_str(plainNumber(option.member(arguments.walk)));
 }
 
 void addSharedOptions(CLI::App& program, FitArguments& arguments) {
   const std::vector<SharedOption> options = {
-      {"--ridge", [](FitParams& p) -> double& { return p.series.ridge; }, 0.0, 1e6,
-       "Penalty on the main coefficients, frames"},
-      {"--rate-ridge", [](FitParams& p) -> double& { return p.series.rateRidge; }, 0.0, 1e6,
-       "Penalty on those of rates of change and products, frames"},
-      {"--upper-offset-share", [](FitParams& p) -> double& { return p.series.upperOffsetShare; }, 0.0, 1.0,
+      {"--ridge",
+       [](FitParams& p) -> double& { return p.series.ridge; },
+       {0.0, 1e6, "frames"},
+       "Penalty on the main coefficients"},
+      {"--rate-ridge",
+       [](FitParams& p) -> double& { return p.series.rateRidge; },
+       {0.0, 1e6, "frames"},
+       "Penalty on those of rates of change and products"},
+      {"--upper-offset-share",
+       [](FitParams& p) -> double& { return p.series.upperOffsetShare; },
+       {0.0, 1.0, ""},
        "Share of a clip's mean put down to the single take, above the pelvis"},
-      {"--lower-offset-share", [](FitParams& p) -> double& { return p.series.lowerOffsetShare; }, 0.0, 1.0,
+      {"--lower-offset-share",
+       [](FitParams& p) -> double& { return p.series.lowerOffsetShare; },
+       {0.0, 1.0, ""},
        "The same, pelvis and legs"},
-      {"--stiffness", [](FitParams& p) -> double& { return p.phase.stiffness; }, 1e-3, 1e6,
+      {"--stiffness",
+       [](FitParams& p) -> double& { return p.phase.stiffness; },
+       {1e-3, 1e6, ""},
        "Penalty on second differences of the phase"}};
   for (const SharedOption& option : options) addShared(program, arguments, option);
 }
 
-void addOptions(CLI::App& program, FitArguments& arguments) {
+void addFiles(CLI::App& program, FitArguments& arguments) {
   program.add_option("--walk", arguments.walkPaths, "Walks (BVH), one of which begins or ends standing")
-      ->required();
-  program.add_option("--jog", arguments.jogPaths, "Jogs (BVH) of the same body")->required();
-  program.add_option("--source", arguments.sourcePath,
-                     "Write the tables as C++ (core/motion/gait_table.cpp)");
-  program.add_option("--json", arguments.jsonPath, "Write the tables as JSON");
-  program.add_option("--origin", arguments.origin, "Sentences on source and terms, kept in both");
-  program.add_option("--held-out", arguments.heldOutFolder,
-                     "Leave each clip out in turn and write figures and pictures into this folder");
-  program
-      .add_option("--walk-speed", arguments.walk.series.referenceSpeed, "m/s that walks are described around")
-      ->capture_default_str();
-  program
-      .add_option("--jog-speed", arguments.jog.series.referenceSpeed, "m/s that jogs are described around")
-      ->capture_default_str();
-  program.add_option("--walk-reach", arguments.walkReach, "Longest leg in stance, share of its length")
-      ->check(CLI::Range(0.9, 1.0))
-      ->capture_default_str();
-  program.add_option("--jog-reach", arguments.jogReach, "The same for the jog")
-      ->check(CLI::Range(0.9, 1.0))
-      ->capture_default_str();
+      ->required()
+      ->type_name("FILE");
+  program.add_option("--jog", arguments.jogPaths, "Jogs (BVH) of the same body")
+      ->required()
+      ->type_name("FILE");
+  addPath(program, "--source", arguments.sourcePath, "FILE",
+          "Write the tables as C++ (core/motion/gait_table.cpp)");
+  addPath(program, "--json", arguments.jsonPath, "FILE", "Write the tables as JSON");
+  program.add_option("--origin", arguments.origin, "Sentences on source and terms, kept in both")
+      ->type_name("TEXT");
+  addPath(program, "--held-out", arguments.heldOutFolder, "FOLDER",
+          "Leave each clip out in turn and write figures and pictures here");
+}
+
+void addOptions(CLI::App& program, FitArguments& arguments) {
+  addFiles(program, arguments);
+  addNumber(program, "--walk-speed", arguments.walk.series.referenceSpeed, {0.0, 10.0, "m/s", true},
+            "Speed that walks are described around");
+  addNumber(program, "--jog-speed", arguments.jog.series.referenceSpeed, {0.0, 10.0, "m/s", true},
+            "Speed that jogs are described around");
+  addNumber(program, "--walk-reach", arguments.walkReach, {0.9, 1.0, "of its length"},
+            "Longest leg in stance");
+  addNumber(program, "--jog-reach", arguments.jogReach, {0.9, 1.0, "of its length"}, "The same for the jog");
   addSharedOptions(program, arguments);
 }
 
@@ -182,13 +215,11 @@ void addOptions(CLI::App& program, FitArguments& arguments) {
 int main(int argc, char** argv) {
   using namespace stridegraph::tools;
   CLI::App program{
-      "Measures a gait model from captured walks and jogs, and how well it tells clips it has not seen."};
+      "Measures a gait model from captured walks and jogs, and how well it tells clips it has not seen.",
+      "gait_fit"};
   FitArguments arguments;
   addOptions(program, arguments);
-  try {
-    program.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return program.exit(error) == 0 ? kDone : kWrongUse;
-  }
-  return run(arguments);
+  Job job;
+  program.callback([&] { job = [&] { return run(arguments); }; });
+  return runProgram(program, argc, argv, job);
 }

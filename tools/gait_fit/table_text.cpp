@@ -5,6 +5,7 @@
 
 #include "gait_fit/joint_names.h"
 #include "gait_fit/table.h"
+#include "program/json_document.h"
 
 namespace stridegraph::gait_fit {
 namespace {
@@ -107,7 +108,7 @@ std::string toJson(const FittedTables& tables) {
   json["jog"] = gaitJson(tables.jog);
   json["standing"] = {{"height_m", tables.standing.heightMetres},
                       {"rotations_wxyz", tables.standing.rotations}};
-  return json.dump(1) + "\n";
+  return tools::documentText(json);
 }
 
 }  // namespace stridegraph::gait_fit

@@ -1,14 +1,13 @@
 // Measures OMPL's planners on a folder of maps, in the form that `stridegraph bench --join` reads.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-#include <cstdio>
-
 #include "bench/document_json.h"
-#include "commands.h"
-#include "files.h"
 #include "map_folder.h"
 #include "ompl_bench/ompl_planners.h"
+#include "program/arguments.h"
+#include "program/output_files.h"
+#include "program/run_program.h"
+#include "program/shown_text.h"
 #include "wall_clock.h"
 
 using namespace stridegraph;
@@ -33,7 +32,7 @@ Result<void> measure(const Arguments& arguments) {
       for (std::uint64_t seed = 1; seed <= arguments.seeds; ++seed)
         document.runs.push_back(bench::measurePath(method, map, seed, params));
     }
-    fmt::print(stderr, "OMPL: {}\n", map.name);
+    tools::printLine(stderr, fmt::format("OMPL: {}", map.name));
   }
   return tools::writeFile(arguments.outputPath, bench::writeBenchJson(document));
 }
@@ -41,21 +40,26 @@ Result<void> measure(const Arguments& arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App program{"Measures OMPL's PRM, RRT-Connect and BIT* on maps."};
+  CLI::App program{"Measures OMPL's PRM, RRT-Connect and BIT* on maps.", "ompl_bench"};
   Arguments arguments;
   arguments.planners.clock = tools::millisecondsNow;
-  program.add_option("--maps", arguments.mapsFolder, "Folder of scenes (JSON)")->required();
-  program.add_option("--seeds", arguments.seeds, "Of each map and planner: 1 to this")->capture_default_str();
-  program.add_option("--most-ms", arguments.planners.mostMilliseconds, "When a planner is stopped")
-      ->capture_default_str();
-  program
-      .add_option("--improve-ms", arguments.planners.improveMilliseconds,
-                  "For how long BIT* improves its path")
-      ->capture_default_str();
-  program.add_option("-o,--output", arguments.outputPath, "Runs (JSON)")->required();
-  CLI11_PARSE(program, argc, argv);
-  const Result<void> measured = measure(arguments);
-  if (measured) return tools::kDone;
-  fmt::print(stderr, "ompl_bench: {}\n", describe(measured.error()));
-  return tools::kWrongUse;
+  constexpr tools::NumberRange kTime{0.0, 3'600'000.0, "milliseconds", true};
+  tools::addPath(program, "--maps", arguments.mapsFolder, "FOLDER", "Scenes (JSON)")->required();
+  tools::addWhole(program, "--seeds", arguments.seeds, {1, 10'000, "seeds"},
+                  "Of each map and planner: 1 to this");
+  tools::addNumber(program, "--most-ms", arguments.planners.mostMilliseconds, kTime,
+                   "When a planner is stopped");
+  tools::addNumber(program, "--improve-ms", arguments.planners.improveMilliseconds, kTime,
+                   "For how long BIT* improves its path");
+  tools::addPath(program, "-o,--output", arguments.outputPath, "FILE", "Runs (JSON)")->required();
+  tools::Job job;
+  program.callback([&] {
+    job = [&]() -> int {
+      const Result<void> measured = measure(arguments);
+      if (measured) return tools::kDone;
+      tools::complain("ompl_bench", describe(measured.error()));
+      return tools::kWrongUse;
+    };
+  });
+  return tools::runProgram(program, argc, argv, job);
 }

@@ -8,7 +8,7 @@ nativePackages=(
   g++ cmake ninja-build ccache libeigen3-dev libfmt-dev libexpected-dev nlohmann-json3-dev libfast-float-dev
   libflatbuffers-dev flatbuffers-compiler libtinygltf-dev libstb-dev libcli11-dev libgtest-dev)
 webPackages=(emscripten fonts-inter xz-utils)
-testPackages=(chromium clang-format shellcheck python3-numpy)
+testPackages=(chromium fonts-droid-fallback clang-format shellcheck python3-numpy)
 tidyPackages=(clang-tidy clang-tools)
 fuzzPackages=(clang llvm libclang-rt-14-dev)
 benchPackages=(libbenchmark-dev)

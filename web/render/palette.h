@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "motion/body_colours.h"
+
 namespace stridegraph {
 
 /// A colour as written in design tools (sRGB) with its opacity.
@@ -30,6 +32,12 @@ struct Palette {
   Colour accent, panel, panelEdge, control, text, quietText, problem, good;
 };
 
+inline constexpr std::array<Colour, 8> coloursOf(const std::array<std::uint32_t, 8>& rgb) {
+  std::array<Colour, 8> colours;
+  for (std::size_t i = 0; i < rgb.size(); ++i) colours[i] = Colour::hex(rgb[i]);
+  return colours;
+}
+
 inline constexpr Palette kLightPalette = {
     .horizon = Colour::hex(0xe9edf2),
     .zenith = Colour::hex(0xc9d6e6),
@@ -40,7 +48,7 @@ inline constexpr Palette kLightPalette = {
     .movingBlock = Colour::hex(0xd9a441),
     .chosenBlock = Colour::hex(0x5b8def),
     .wall = Colour::hex(0xc5cdd8),
-    .body = Colour::hex(0xe88a5a),
+    .body = Colour::hex(kBodyColour),
     .blendedBody = Colour::hex(0x7c6bd6),
     .path = Colour::hex(0x2f6fed, 0.95F),
     .trail = Colour::hex(0xe0662f, 0.9F),
@@ -53,8 +61,7 @@ inline constexpr Palette kLightPalette = {
     .track = Colour::hex(0xb07a14, 0.85F),
     .avoid = Colour::hex(0xe07b39),
     .prefer = Colour::hex(0x2fa36b),
-    .walkers = {{Colour::hex(0x3f7fd6), Colour::hex(0x7a5cc9), Colour::hex(0x1f9aa0), Colour::hex(0xc2557f),
-                 Colour::hex(0x6f9a2e), Colour::hex(0xb07a2a), Colour::hex(0x4f5d9e), Colour::hex(0x8b4a9c)}},
+    .walkers = coloursOf(kFurtherBodyColours),
     .sun = {1.02F, 0.96F, 0.86F, 1.0F},
     .sky = {0.36F, 0.40F, 0.46F, 1.0F},
     .accent = Colour::hex(0x2563d9),

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/body.h"
+#include "motion/round_body.h"
 #include "render/gl_objects.h"
 #include "render/marks.h"
 #include "render/palette.h"

@@ -44,6 +44,11 @@ const char* nameOf(Tool tool) {
   return "";
 }
 
+/// Valid UTF-8 whatever names a file holds.
+std::string dumped(const nlohmann::json& json) {
+  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
 nlohmann::json planJson(const AppState& state) {
   const PlanReport& report = state.plan->report;
   nlohmann::json edges = nlohmann::json::array();
@@ -115,7 +120,11 @@ std::string toJson(const AppState& state) {
   };
   json["plan"] = state.plan ? planJson(state) : nlohmann::json();
   if (!json["roots"].empty()) json["root"] = json["roots"][0];
-  return json.dump();
+  return dumped(json);
+}
+
+std::string letteringJson(bool isWaiting, const std::vector<std::string>& missing) {
+  return dumped({{"waiting", isWaiting}, {"missing", missing}});
 }
 
 }  // namespace stridegraph

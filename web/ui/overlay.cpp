@@ -2,6 +2,7 @@
 
 #include "state/editor.h"
 #include "state/items.h"
+#include "state/text_runs.h"
 #include "state/track_edit.h"
 #include "ui/panels.h"
 #include "ui/style.h"
@@ -9,6 +10,8 @@
 namespace stridegraph {
 
 namespace {
+
+constexpr std::size_t kMostNoticeCodePoints = 500;
 
 ImVec2 asImVec2(const Vec2& point) {
   return {static_cast<float>(point.x()), static_cast<float>(point.y())};
@@ -73,28 +76,29 @@ void drawDragLabel(const AppState& state, const Palette& palette, ImDrawList& li
   drawLabel(dragText(*state.drag), ImVec2(mouse.x + 18.0F, mouse.y + 14.0F), palette, list);
 }
 
-void drawNotice(const AppState& state, const Palette& palette, const Layout& layout) {
+void drawNotice(const AppState& state, const Palette& palette, const Layout& layout, Lettering& lettering) {
+  const std::string text = lettering.shown(shortened(state.notice.text, kMostNoticeCodePoints));
   ImDrawList& list = *ImGui::GetForegroundDrawList();
   const float wrap = std::min(520.0F, static_cast<float>(layout.viewport.width) - 80.0F);
-  const ImVec2 size = ImGui::CalcTextSize(state.notice.text.c_str(), nullptr, false, wrap);
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap);
   const float left = (static_cast<float>(layout.viewport.width) - size.x) / 2.0F;
   const float top = static_cast<float>(layout.viewport.height) - 112.0F - size.y;
   const ImVec2 low(left - 18.0F, top - 11.0F), high(left + size.x + 18.0F, top + size.y + 11.0F);
   const Colour& back = state.notice.problem ? palette.problem : palette.accent;
   const ImU32 ink = asImU32(Colour::hex(state.view.dark ? 0x10151d : 0xffffff));
   list.AddRectFilled(low, high, asImU32(back), 12.0F);
-  list.AddText(nullptr, 0.0F, ImVec2(left, top), ink, state.notice.text.c_str(), nullptr, wrap);
+  list.AddText(nullptr, 0.0F, ImVec2(left, top), ink, text.c_str(), nullptr, wrap);
 }
 
 }  // namespace
 
-void showOverlay(const AppState& state, const CameraView& view, const Layout& layout) {
+void showOverlay(const AppState& state, const CameraView& view, const Layout& layout, Lettering& lettering) {
   const Palette& palette = paletteFor(state.view.dark);
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   drawHandles(state, view, palette, list);
   if (state.drag && state.drag->moved) drawDragLabel(state, palette, list);
   if (!state.notice.text.empty() && state.nowSeconds < state.notice.untilSeconds) {
-    drawNotice(state, palette, layout);
+    drawNotice(state, palette, layout, lettering);
   }
 }
 

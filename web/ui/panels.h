@@ -2,6 +2,7 @@
 
 #include "state/app_state.h"
 #include "state/commands.h"
+#include "ui/lettering.h"
 
 namespace stridegraph {
 
@@ -13,16 +14,16 @@ struct Layout {
 };
 
 /// Tools, undo and redo.
-void showToolbar(const AppState& state, const Layout& layout, Commands& commands);
+void showToolbar(const AppState& state, const Layout& layout, Lettering& lettering, Commands& commands);
 /// Room, selection, body, planner.
-void showScenePanel(const AppState& state, const Layout& layout, Commands& commands);
+void showScenePanel(const AppState& state, const Layout& layout, Lettering& lettering, Commands& commands);
 /// What became of the plan, and what to show.
-void showReportPanel(const AppState& state, const Layout& layout, Commands& commands);
+void showReportPanel(const AppState& state, const Layout& layout, Lettering& lettering, Commands& commands);
 /// Orbit, follow, top.
 void showCameraBar(const AppState& state, const Layout& layout, Commands& commands);
 /// Playback with every frame of the walk: captured or blended, and which foot is down.
 void showTimeline(const AppState& state, const Layout& layout, Commands& commands);
 /// Handles of the selection, the size of what is drawn, and notices, over the view.
-void showOverlay(const AppState& state, const CameraView& view, const Layout& layout);
+void showOverlay(const AppState& state, const CameraView& view, const Layout& layout, Lettering& lettering);
 
 }  // namespace stridegraph

@@ -16,7 +16,7 @@ namespace {
 
 constexpr float kPanelWidth = 240.0F;
 
-void showStatus(const AppState& state, const Palette& palette) {
+void showStatus(const AppState& state, const Palette& palette, Lettering& lettering) {
   const bool arrived = state.plan && !state.troubleOnWay && allArrive(*state.plan);
   const Colour& colour = !state.plan && state.planError.empty() ? palette.quietText
                          : arrived                              ? palette.good
@@ -26,7 +26,7 @@ void showStatus(const AppState& state, const Palette& palette) {
   ImGui::GetWindowDrawList()->AddCircleFilled(ImVec2(corner.x + 5.0F, middle), 4.5F, asImU32(colour), 16);
   ImGui::Indent(16.0F);
   ImGui::PushTextWrapPos(0.0F);
-  ImGui::TextUnformatted(statusSentence(state).c_str());
+  ImGui::TextUnformatted(lettering.shown(statusSentence(state)).c_str());
   ImGui::PopTextWrapPos();
   ImGui::Unindent(16.0F);
 }
@@ -96,7 +96,7 @@ void showViewOptions(const AppState& state, Commands& commands) {
 
 }  // namespace
 
-void showReportPanel(const AppState& state, const Layout& layout, Commands& commands) {
+void showReportPanel(const AppState& state, const Layout& layout, Lettering& lettering, Commands& commands) {
   const Palette& palette = paletteFor(state.view.dark);
   const auto width = static_cast<float>(layout.viewport.width);
   constexpr float kBottom = 118.0F;
@@ -112,7 +112,7 @@ void showReportPanel(const AppState& state, const Layout& layout, Commands& comm
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                    ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoFocusOnAppearing);
-  showStatus(state, palette);
+  showStatus(state, palette, lettering);
   if (!layout.narrow()) {
     if (state.plan) {
       ImGui::Separator();

@@ -6,6 +6,7 @@
 
 #include "scene/scene_limits.h"
 #include "state/editor.h"
+#include "state/text_runs.h"
 #include "ui/panels.h"
 #include "ui/selection_fields.h"
 #include "ui/style.h"
@@ -16,6 +17,7 @@ namespace stridegraph {
 namespace {
 
 constexpr float kPanelWidth = 236.0F;
+constexpr std::size_t kMostNameCodePoints = 120;
 
 void roomFields(const AppState& state, const Palette& palette, Commands& commands) {
   heading("Room", palette);
@@ -113,7 +115,7 @@ void plannerFields(const AppState& state, const Palette& palette, Commands& comm
 
 }  // namespace
 
-void showScenePanel(const AppState& state, const Layout& layout, Commands& commands) {
+void showScenePanel(const AppState& state, const Layout& layout, Lettering& lettering, Commands& commands) {
   if (layout.narrow()) return;
   const Palette& palette = paletteFor(state.view.dark);
   constexpr float kTop = 68.0F, kBottom = 118.0F;
@@ -124,7 +126,8 @@ void showScenePanel(const AppState& state, const Layout& layout, Commands& comma
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                    ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoFocusOnAppearing);
-  ImGui::TextUnformatted(state.scene.name.empty() ? "Untitled room" : state.scene.name.c_str());
+  const std::string name = shortened(state.scene.name, kMostNameCodePoints);
+  ImGui::TextUnformatted(name.empty() ? "Untitled room" : lettering.shown(name).c_str());
   ImGui::Separator();
   roomFields(state, palette, commands);
   showSelectionFields(state, commands);

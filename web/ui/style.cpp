@@ -1,12 +1,8 @@
 #include "ui/style.h"
 
-#include <cmath>
-
 namespace stridegraph {
 
 namespace {
-
-constexpr float kTextPoints = 14.5F;
 
 Colour over(const Colour& base, const Colour& top, float share) {
   return {base.red + (top.red - base.red) * share, base.green + (top.green - base.green) * share,
@@ -66,28 +62,6 @@ void applyStyle(const Palette& palette) {
   colours[ImGuiCol_ScrollbarGrab] = asImVec4(palette.control.faded(2.0F));
   colours[ImGuiCol_TextSelectedBg] = asImVec4(accent.faded(0.35F));
   colours[ImGuiCol_NavHighlight] = asImVec4(accent);
-}
-
-void bakeFonts(std::span<const unsigned char> fontFile, float pixelRatio) {
-  ImGuiIO& io = ImGui::GetIO();
-  io.Fonts->Clear();
-  ImFontConfig config;
-  config.OversampleH = 2;
-  config.OversampleV = 1;
-  const float pixels = std::round(kTextPoints * pixelRatio);
-  static const ImWchar kRanges[] = {0x20,   0x7e,   0xa0,   0x17f,  0x2010, 0x2026,
-                                    0x2190, 0x2193, 0x2212, 0x2212, 0};
-  if (fontFile.empty()) {
-    config.SizePixels = pixels;
-    io.Fonts->AddFontDefault(&config);
-  } else {
-    config.FontDataOwnedByAtlas = false;
-    // ImGui only reads them, whatever its signature says.
-    void* bytes = const_cast<unsigned char*>(fontFile.data());
-    io.Fonts->AddFontFromMemoryTTF(bytes, static_cast<int>(fontFile.size()), pixels, &config, kRanges);
-  }
-  io.FontGlobalScale = 1.0F / pixelRatio;
-  io.Fonts->Build();
 }
 
 }  // namespace stridegraph

@@ -29,7 +29,7 @@ void endBar() {
 
 }  // namespace
 
-void showToolbar(const AppState& state, const Layout& layout, Commands& commands) {
+void showToolbar(const AppState& state, const Layout& layout, Lettering& lettering, Commands& commands) {
   const Palette& palette = paletteFor(state.view.dark);
   struct ToolButton {
     Tool tool;
@@ -63,10 +63,10 @@ void showToolbar(const AppState& state, const Layout& layout, Commands& commands
   const std::string undo = past.empty() ? "Nothing to undo" : "Undo: " + past.back().label + " (Ctrl+Z)";
   const std::string redo =
       future.empty() ? "Nothing to redo" : "Redo: " + future.back().label + " (Ctrl+Shift+Z)";
-  if (iconButton({Icon::kUndo, "undo", undo.c_str(), false, !past.empty()}, palette))
+  if (iconButton({Icon::kUndo, "undo", lettering.shown(undo).c_str(), false, !past.empty()}, palette))
     commands.push_back(Undo{});
   ImGui::SameLine();
-  if (iconButton({Icon::kRedo, "redo", redo.c_str(), false, !future.empty()}, palette))
+  if (iconButton({Icon::kRedo, "redo", lettering.shown(redo).c_str(), false, !future.empty()}, palette))
     commands.push_back(Redo{});
   ImGui::SameLine();
   const bool canDelete = isRemovable(state.scene, state.selection);

@@ -52,7 +52,10 @@ TEST(CapturedWalks, ofCmu16KeepMostOfTheirFramesInOnePart) {
   EXPECT_EQ(built.library.contactJoints.size(), 6U);
   EXPECT_GT(standingShare(built.library), 0.99);
   // The arm that jumps by 81 degrees after its first frame is named, and two joints that slip.
-  ASSERT_EQ(built.report.warnings.size(), 3U);
+  ASSERT_GE(built.report.warnings.size(), 3U);
+  EXPECT_EQ(std::count_if(built.report.warnings.begin(), built.report.warnings.end(),
+                          [](const Warning& warning) { return !warning.place.file.empty(); }),
+            3);
   EXPECT_NE(built.report.warnings[0].message.find("rhumerus turns 81 degrees from frame 0 to 1"),
             std::string::npos);
   EXPECT_NE(built.report.warnings[2].message.find("lfoot slips by 45 degrees from frame 25 to 26"),

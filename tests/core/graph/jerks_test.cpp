@@ -117,7 +117,7 @@ TEST(BlendsAcross, looksAtBothSpansOfATransition) {
 
 TEST(LibraryBuilder, letsNothingPlayAcrossAJerkAndSaysWhere) {
   const BuiltLibrary built = testing::builtFrom({documentOf(withSlip(600, 20), "slips")});
-  ASSERT_EQ(built.report.warnings.size(), 1U);
+  ASSERT_FALSE(built.report.warnings.empty());
   EXPECT_NE(describe(built.report.warnings[0])
                 .find("slips: joint leftArm slips by 20 degrees from frame 599 to 600, more than it turns "
                       "anywhere else: nothing plays across that"),

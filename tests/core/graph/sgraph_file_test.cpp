@@ -72,6 +72,37 @@ TEST(Sgraph, givesBackEveryPartOfALibraryExactly) {
   EXPECT_EQ(read->hash, library.hash);
 }
 
+TEST(Sgraph, givesBackTheJointsThatStandStill) {
+  MotionLibrary library = sample();
+  library.layout.still.joints = {
+      {{"reference", {}, Vec3(1, 0, 2)}, Quat(0.6, 0.0, 0.8, 0.0), {BvhChannel::kYRotation}, ""},
+      {{"reference#end", JointIndex(std::size_t{0}), Vec3(0, 1, 0), true}, Quat::Identity(), {}, "tip"}};
+  library.layout.still.before = 2;
+  library.layout.still.holder = 0;
+  library.layout.still.rootOffset = Vec3(0, 0.9, 0);
+  const Result<MotionLibrary> read = readSgraph(writeSgraph(library));
+  ASSERT_TRUE(read) << read.error().message;
+  const BvhStillPart& still = read->layout.still;
+  ASSERT_EQ(still.joints.size(), 2U);
+  EXPECT_EQ(still.joints[0].joint.name, "reference");
+  EXPECT_EQ(still.joints[0].joint.offset, Vec3(1, 0, 2));
+  EXPECT_EQ(still.joints[0].rotation.coeffs(), Quat(0.6, 0.0, 0.8, 0.0).coeffs());
+  EXPECT_EQ(still.joints[0].channels, std::vector<BvhChannel>{BvhChannel::kYRotation});
+  EXPECT_EQ(still.joints[1].joint.parent, JointIndex(std::size_t{0}));
+  EXPECT_TRUE(still.joints[1].joint.isEndSite);
+  EXPECT_EQ(still.joints[1].endSiteName, "tip");
+  EXPECT_EQ(still.before, 2U);
+  EXPECT_EQ(still.rootOffset, Vec3(0, 0.9, 0));
+  // Without them a file is as it was before there were any.
+  library.layout.still = {};
+  EXPECT_EQ(writeSgraph(library), writeSgraph(sample()));
+  library.layout.still.joints = {{{"reference#end", {}, Vec3(0, 0, 0), true}, Quat::Identity(), {}, ""}};
+  library.layout.still.before = 1;
+  const Result<MotionLibrary> unsound = readSgraph(writeSgraph(library));
+  ASSERT_FALSE(unsound);
+  EXPECT_EQ(unsound.error().message, "the motion library is not sound: a still root that is an end site");
+}
+
 TEST(Sgraph, isTheSameBytesForTheSameLibrary) {
   const std::vector<std::uint8_t> bytes = writeSgraph(sample());
   EXPECT_EQ(writeSgraph(*readSgraph(bytes)), bytes);

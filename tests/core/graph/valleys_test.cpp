@@ -281,5 +281,51 @@ TEST(ValleyFinder, ofOneClipNeedsNothingBeyondItsReach) {
   for (std::size_t k = 0; k < part.size(); ++k) EXPECT_EQ(part[k].column, whole[k].column);
 }
 
+/// The largest cell of a region's line.
+std::uint32_t largestOf(const Region& region, const Matrix& matrix) {
+  std::uint32_t largest = 0;
+  const std::size_t steps = std::max(region.rowSpan, region.columnSpan);
+  for (std::size_t k = 0; k <= steps; ++k) {
+    const std::size_t row = region.row + (2 * k * region.rowSpan + steps) / (2 * steps);
+    const std::size_t column = region.column + (2 * k * region.columnSpan + steps) / (2 * steps);
+    largest = std::max(largest, matrix[row][column]);
+  }
+  return largest;
+}
+
+TEST(ValleyFinder, tellsTheLargestDistanceFromWhichOnARegionIsFound) {
+  Random random(21);
+  std::size_t compared = 0;
+  for (int k = 0; k < 12; ++k) {
+    ValleyParams params{.thresholdMetres = 0.06,
+                        .transitionFrames = 4 + random.below(9),
+                        .neighbourFrames = random.below(7),
+                        .largestSpanRatio = random.below(2) == 0 ? 1.0 : 1.5,
+                        .tellLargest = true};
+    Matrix matrix = filled(50, 47, 0);
+    for (std::size_t r = 0; r < 50; ++r) {
+      // Smooth along diagonals, so that lines of every length lie under the threshold.
+      for (std::size_t c = 0; c < 47; ++c)
+        matrix[r][c] = static_cast<std::uint32_t>(
+            40'000.0 + 25'000.0 * std::sin(0.3 * static_cast<double>(r) - 0.27 * static_cast<double>(c)) +
+            random.uniform(0.0, 8'000.0));
+    }
+    const std::vector<Region> regions = regionsOf(params, matrix);
+    for (const Region& region : regions) {
+      EXPECT_EQ(region.largestMicrometres, largestOf(region, matrix));
+      ValleyParams smaller = params;
+      smaller.thresholdMetres = (region.largestMicrometres + 0.5) * 1e-6;
+      const std::vector<Region> fewer = regionsOf(smaller, matrix);
+      const bool found = std::any_of(fewer.begin(), fewer.end(), [&](const Region& one) {
+        return std::tie(one.row, one.column, one.rowSpan) ==
+               std::tie(region.row, region.column, region.rowSpan);
+      });
+      EXPECT_TRUE(found);
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 100U);
+}
+
 }  // namespace
 }  // namespace stridegraph

@@ -14,60 +14,6 @@ using testing::replaced;
 using testing::replacedAll;
 using testing::warningsOf;
 
-/// Units per metre and the warning for a body `height` units tall.
-std::pair<double, std::string> unitFor(double height) {
-  Warnings warnings;
-  const double units =
-      inferUnitsPerMetre({Vec3(0.3 * height, height, 0.2 * height), Vec3::Zero()}, UpAxis::kY, warnings);
-  return {units, warnings.empty() ? "" : warnings[0].message};
-}
-
-TEST(InferUnitsPerMetre, recognisesTheUnitsThatAreInUse) {
-  EXPECT_EQ(unitFor(175), std::pair(100.0, std::string()));
-  EXPECT_EQ(unitFor(1.7),
-            std::pair(1.0, std::string("metres are understood as the unit: the body is 1.7 units tall, "
-                                       "which is 1.7 m")));
-  EXPECT_EQ(unitFor(1700).first, 1000.0);
-  EXPECT_NEAR(unitFor(69).first, 39.3701, 1e-4);
-  EXPECT_NEAR(unitFor(25).first, 17.7165, 1e-4);
-  EXPECT_EQ(unitFor(25).second,
-            "CMU units of 5.6444 cm are understood as the unit: the body is 25 units tall, which is 1.41 m");
-}
-
-TEST(InferUnitsPerMetre, warnsOfBodiesThatNoUnitMakesHuman) {
-  EXPECT_EQ(
-      unitFor(300).second,
-      "centimetres are understood as the unit: the body is 300 units tall, which is 3 m, odd for a human");
-  EXPECT_EQ(unitFor(0.1).second,
-            "metres are understood as the unit: the body is 0.1 units tall, which is 0.1 m, odd for a human");
-  EXPECT_EQ(unitFor(0).second, "centimetres are taken as the unit: the body has no height to tell it from");
-}
-
-TEST(InferUnitsPerMetre, trustsTheTallerOfPosesAndRest) {
-  Warnings warnings;
-  EXPECT_EQ(inferUnitsPerMetre({Vec3(170, 40, 50), Vec3(150, 170, 30)}, UpAxis::kY, warnings), 100.0);
-  EXPECT_TRUE(warnings.empty());
-}
-
-TEST(InferUpAxis, followsThePosedBody) {
-  Warnings warnings;
-  EXPECT_EQ(inferUpAxis({Vec3(60, 170, 60), Vec3(20, 30, 170)}, warnings), UpAxis::kY);
-  EXPECT_TRUE(warnings.empty());
-  EXPECT_EQ(inferUpAxis({Vec3(60, 50, 170), Vec3(20, 170, 30)}, warnings), UpAxis::kZ);
-  ASSERT_EQ(warnings.size(), 1U);
-  EXPECT_EQ(warnings[0].message, "z is understood as up: the body reaches 170 units along z and 50 along y");
-}
-
-TEST(InferUpAxis, asksTheRestPoseWhereTheMotionLeavesItOpen) {
-  Warnings warnings;
-  EXPECT_EQ(inferUpAxis({Vec3(60, 100, 100), Vec3(20, 30, 170)}, warnings), UpAxis::kZ);
-  EXPECT_EQ(inferUpAxis({Vec3(60, 100, 100), Vec3(20, 170, 30)}, warnings), UpAxis::kY);
-  ASSERT_EQ(warnings.size(), 2U);
-  EXPECT_EQ(
-      warnings[1].message,
-      "y is taken as up, which the motion leaves open: the body reaches 100 units along y and 100 along z");
-}
-
 TEST(ReadBvh, turnsZUpFilesToYUp) {
   // The body lying on its back in a file with z up: y becomes z, z becomes -y.
   std::string text = replacedAll(kBodyText, "0 50 0", "0 0 50");
@@ -94,6 +40,8 @@ TEST(ReadBvh, obeysForcedUnitsAndAxis) {
   params.up = UpAxis::kZ;
   const BvhDocument body = read(kBodyText, params);
   EXPECT_EQ(warningsOf(body), "");
+  EXPECT_EQ(body.confidence.up, 1.0);
+  EXPECT_EQ(body.confidence.unit, 1.0);
   EXPECT_EQ(body.layout.unitsPerMetre, 50.0);
   EXPECT_TRUE(body.skeleton.joints[1].offset.isApprox(Vec3(0, 0, -1.0), 1e-12));
 }

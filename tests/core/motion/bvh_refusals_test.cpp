@@ -11,8 +11,7 @@ using testing::refusal;
 using testing::replaced;
 
 TEST(RefuseBvh, namesTheMissingSections) {
-  EXPECT_EQ(refusal(""), "body.bvh:1:1: found the end of the text, expected HIERARCHY");
-  EXPECT_EQ(refusal("\xEF\xBB\xBF  x"), "body.bvh:1:3: found \"x\", expected HIERARCHY");
+  EXPECT_EQ(refusal(" \n"), "body.bvh:2:1: found the end of the text, expected HIERARCHY");
   EXPECT_EQ(refusal(replaced(kBodyText, "HIERARCHY\n", "")),
             "body.bvh:1:1: found \"ROOT\", expected HIERARCHY");
   EXPECT_EQ(refusal(replaced(kBodyText, "HIERARCHY", "HIERARCHY2")),
@@ -44,8 +43,8 @@ TEST(RefuseBvh, namesWhatABlockMayHold) {
             "body.bvh:15:2: found \"LIMB\", expected OFFSET, CHANNELS, JOINT, End Site or }");
   EXPECT_EQ(refusal(replaced(kBodyText, "\t\t\tOFFSET 0 30 0", "\t\t\tJOINT toe")),
             "body.bvh:12:4: found \"JOINT\", expected OFFSET or }");
-  EXPECT_EQ(refusal(replaced(kBodyText, "End Site", "End Effector")),
-            "body.bvh:10:7: found \"Effector\", expected Site");
+  EXPECT_EQ(refusal(replaced(kBodyText, "End Site", "Ends here")),
+            "body.bvh:10:3: found \"Ends\", expected OFFSET, CHANNELS, JOINT, End Site or }");
   EXPECT_EQ(refusal(replaced(kBodyText, "JOINT leg\n", "JOINT\n")),
             "body.bvh:16:2: found \"{\", expected a joint's name");
   EXPECT_EQ(refusal(replaced(kBodyText, "\t\t\tOFFSET 0 30 0\n", "")),
@@ -87,8 +86,10 @@ TEST(RefuseBvh, findsWhatIsNotANumber) {
             "body.bvh:8:12: found \"fifty\", expected three numbers after OFFSET");
   EXPECT_EQ(refusal(replaced(kBodyText, "OFFSET 0 50 0", "OFFSET 0 50")),
             "body.bvh:9:3: found \"CHANNELS\", expected three numbers after OFFSET");
-  EXPECT_EQ(refusal(replaced(kBodyText, "1 90 0", "1 9,5 0")),
-            "body.bvh:29:3: found \"9,5\", expected a channel's value");
+  EXPECT_EQ(
+      refusal(replaced(kBodyText, "1 90 0", "1 9,5 0")),
+      "body.bvh:29:3: found \"9,5\", expected a channel's value, with a decimal point, and blanks between "
+      "numbers");
   EXPECT_EQ(refusal(replaced(kBodyText, "1 90 0", "1 0x5A 0")),
             "body.bvh:29:3: found \"0x5A\", expected a channel's value");
   EXPECT_EQ(refusal(replaced(kBodyText, "1 90 0", "1 -- 0")),
@@ -114,13 +115,11 @@ TEST(RefuseBvh, findsNumbersThatAreNotFiniteOrFarTooLarge) {
       "body.bvh:29:3: found \"1000000001\", expected a channel's value, finite and at most 1e9 in size");
 }
 
-TEST(RefuseBvh, checksTheFrameTime) {
-  EXPECT_EQ(refusal(replaced(kBodyText, "0.0333333", "0")),
-            "body.bvh:27:13: found a frame time of 0, expected 0.000001 to 1000 seconds");
-  EXPECT_EQ(refusal(replaced(kBodyText, "0.0333333", "-0.03")),
-            "body.bvh:27:13: found a frame time of -0.03, expected 0.000001 to 1000 seconds");
-  EXPECT_EQ(refusal(replaced(kBodyText, "0.0333333", "1001")),
-            "body.bvh:27:13: found a frame time of 1001, expected 0.000001 to 1000 seconds");
+TEST(RefuseBvh, namesThePlaceOfAFrameTime) {
+  EXPECT_EQ(
+      refusal(replaced(kBodyText, "0.0333333", "0")),
+      "body.bvh:27:13: found a frame time of 0, expected the seconds from one frame to the next, 0.0001 "
+      "to 1");
   EXPECT_EQ(refusal(replaced(kBodyText, "0.0333333", "fast")),
             "body.bvh:27:13: found \"fast\", expected the frame time in seconds");
 }
@@ -133,9 +132,7 @@ TEST(RefuseBvh, checksTheFrameCount) {
   EXPECT_EQ(refusal(replaced(kBodyText, "Frames: 2", "Frames: 2.5")),
             "body.bvh:26:9: found \"2.5\", expected the number of frames");
   EXPECT_EQ(refusal(replaced(kBodyText, "Frames: 2", "Frames: 999999999")),
-            "body.bvh:26:9: found 999999999 frames of 12 numbers, expected no more than the 91 bytes that "
-            "follow can "
-            "hold");
+            "body.bvh:26:9: found 999999999 frames, expected at most 1000000");
   EXPECT_EQ(
       refusal(replaced(kBodyText, "Frames: 2", "Frames: 18446744073709551617")),
       "body.bvh:26:9: found \"18446744073709551617\", expected the number of frames of at most 9 digits");
@@ -144,21 +141,6 @@ TEST(RefuseBvh, checksTheFrameCount) {
             "body.bvh:28:1: found the end of the text, expected a row of 12 numbers, of which 0 are there");
   EXPECT_EQ(refusal(empty + "0 90 0"),
             "body.bvh:28:7: found the end of the text, expected a row of 12 numbers, of which 3 are there");
-}
-
-TEST(RefuseBvh, refusesMoreRotationsThanMemoryShouldHold) {
-  std::string text = "HIERARCHY ROOT a\n{ OFFSET 0 0 0 CHANNELS 1 Xposition";
-  for (int i = 0; i < 5000; ++i) text += " JOINT b\n{ OFFSET 0 1 0 }";
-  text += "} MOTION Frames: 5000 Frame Time: 0.1";
-  for (int i = 0; i < 5000; ++i) text += " 1";
-  EXPECT_EQ(refusal(text),
-            "body.bvh: found 5000 frames of 5001 joints, expected at most 20000000 rotations in all");
-}
-
-TEST(RefuseBvh, shortensLongWordsAtACharacterAndHidesControlCharacters) {
-  EXPECT_EQ(refusal(std::string(39, 'x') + "\xC3\xA4tail"),
-            "body.bvh:1:1: found \"" + std::string(39, 'x') + "...\", expected HIERARCHY");
-  EXPECT_EQ(refusal("a\x01z"), "body.bvh:1:1: found \"a?z\", expected HIERARCHY");
 }
 
 TEST(RefuseBvh, countsColumnsInCharacters) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "math/random.h"
 #include "motion/bvh_texts.h"
@@ -149,6 +150,63 @@ TEST(WriteBvh, letsAnglesGoOnWithoutJumps) {
   const std::string text =
       write(chestWith({BvhChannel::kZRotation, BvhChannel::kXRotation, BvhChannel::kYRotation}, 0.0));
   EXPECT_NE(text.find(" 780.00000 "), std::string::npos);
+}
+
+TEST(WriteBvh, makesNamesThatALineCanHold) {
+  BvhDocument body = read(kBodyText);
+  body.skeleton.joints[0].name = "";
+  body.skeleton.joints[1].name = "chest {\n} ";
+  body.skeleton.joints[3].name =
+      "Stra\xDF"
+      "e";
+  body.layout.endSiteNames[2] = "\r\n";
+  body.layout.endSiteNames[4] = "a{b";
+  const BvhDocument back = writtenAndRead(body);
+  ASSERT_EQ(back.skeleton.size(), body.skeleton.size());
+  EXPECT_EQ(back.skeleton.joints[0].name, "joint");
+  EXPECT_EQ(back.skeleton.joints[1].name, "chest ___");
+  EXPECT_EQ(back.skeleton.joints[3].name,
+            "Stra\xC3\x9F"
+            "e");
+  EXPECT_EQ(back.layout.endSiteNames[2], "");
+  EXPECT_EQ(back.layout.endSiteNames[4], "a_b");
+  EXPECT_LT(greatestDistance(body, back), 1e-4);
+}
+
+TEST(WriteBvh, keepsRatesThroughReading) {
+  for (const double rate : {1.0, 12.0, 24.0, 25.0, 30.0, 60.0, 100.0, 120.0, 240.0, 1000.0}) {
+    BvhDocument body = read(kBodyText);
+    body.clip.framesPerSecond = rate;
+    EXPECT_EQ(writtenAndRead(body).clip.framesPerSecond, rate);
+  }
+}
+
+TEST(WriteBvh, writesNoMinusBeforeNothing) {
+  BvhDocument body = read(kBodyText);
+  body.clip.rootPositions.assign(2, Vec3(-1e-9, 0.9, -1e-12));
+  for (Quat& rotation : body.clip.rotations) rotation = axisRotation(Axis::kX, Angle::degrees(-1e-7));
+  const std::string text = write(body);
+  EXPECT_EQ(text.find("-0.00000"), std::string::npos);
+  EXPECT_NE(text.find("\n0.000000 90.000000 0.000000 0.00000 "), std::string::npos);
+}
+
+TEST(WriteBvh, writesNumbersThatEveryReaderTakes) {
+  BvhDocument body = read(kBodyText);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  body.clip.rootPositions = {Vec3(nan, 1e200, -1e200), Vec3(0, 0.9, 0)};
+  const std::string text = write(body);
+  EXPECT_NE(text.find("\n0.000000 1000000000.000000 -1000000000.000000 "), std::string::npos);
+}
+
+TEST(WriteBvh, keepsTenthsOfAMillimetreInAnyUnit) {
+  for (const double units : {1e-3, 0.02, 1.0, 39.37, 1e6}) {
+    BvhDocument body = read(kBodyText);
+    body.layout.unitsPerMetre = units;
+    body.clip.rootPositions = {Vec3(0.12345, 0.9, 0), Vec3(0.12355, 0.9, 0)};
+    const BvhDocument back = writtenAndRead(body);
+    EXPECT_LT(greatestDistance(body, back), 1e-4);
+    EXPECT_EQ(differenceBetween(body.skeleton, back.skeleton, 1e-5), "");
+  }
 }
 
 TEST(StandardBvhLayout, givesTheRootSixChannelsAndOthersThree) {

@@ -81,6 +81,15 @@ TEST(Resample, makesSignsContinuousWithoutChangingRotations) {
   }
 }
 
+TEST(Resample, countsItsFramesBeforehand) {
+  for (const double rate : {7.0, 29.97, 30.0, 119.0, 120.0, 240.0}) {
+    for (const std::size_t frames : {0U, 1U, 2U, 121U}) {
+      EXPECT_EQ(resampledFrameCount(frames, 120.0, rate),
+                resample(bending(120.0, frames), rate).frameCount());
+    }
+  }
+}
+
 TEST(Resample, keepsOneFrameAndNone) {
   EXPECT_EQ(resample(bending(120.0, 1), 30.0).frameCount(), 1U);
   EXPECT_EQ(resample(bending(120.0, 0), 30.0).frameCount(), 0U);

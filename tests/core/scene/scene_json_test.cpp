@@ -237,6 +237,17 @@ TEST(SceneJson, staysWithinOneUnitForHeadingsNoDegreesGive) {
   }
 }
 
+TEST(SceneJson, refusesPlacesAndTimesThatNoRoomHas) {
+  EXPECT_EQ(refusal(changed("\"x\": 17", "\"x\": 1e300")),
+            "goal.x: found 1e+300, expected a number from -1000000 to 1000000");
+  EXPECT_EQ(refusal(changed("7.4", "2e6")),
+            "obstacles[0].depth: found 2000000, expected a number from 0 to 1000000");
+  EXPECT_EQ(refusal(changed("2.5", "1e9")),
+            "moving[0].track[1].t: found 1000000000, expected a number from -1000000 to 1000000");
+  EXPECT_NE(refusal(changed("\"heading_deg\": 90", "\"heading_deg\": -1e9")).find("start.heading_deg"),
+            std::string::npos);
+}
+
 TEST(SceneJson, checksScenesMadeInCode) {
   Scene scene = *readSceneJson(kValid);
   EXPECT_TRUE(checkScene(scene));
@@ -260,7 +271,7 @@ TEST(SceneJson, refusesPlacesSizesAndTimesBeyondAnyRoom) {
   EXPECT_EQ(refused([](Scene& scene) { scene.obstacles[0].centre.y() = 1.1e6; }),
             "obstacles[0].z: found 1100000, expected a number from -1000000 to 1000000");
   EXPECT_EQ(refused([](Scene& scene) { scene.obstacles[0].size.x() = 1e18; }),
-            "obstacles[0].width: found 1e+18, expected a number from -1000000 to 1000000");
+            "obstacles[0].width: found 1e+18, expected a number from 0 to 1000000");
   EXPECT_EQ(refused([](Scene& scene) { scene.moving[0].track[0].seconds = -1e9; }),
             "moving[0].track[0].t: found -1000000000, expected a number from -1000000 to 1000000");
   EXPECT_EQ(refused([](Scene& scene) { scene.start.position = {1e6, -1e6}; }), "taken");

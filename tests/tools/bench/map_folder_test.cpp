@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "files.h"
+#include "program/output_files.h"
 #include "scene/scene_json.h"
 
 namespace stridegraph::tools {

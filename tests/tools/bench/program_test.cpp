@@ -4,8 +4,8 @@
 #include <filesystem>
 
 #include "bench/document_json.h"
-#include "files.h"
 #include "map_folder.h"
+#include "program/files.h"
 
 namespace stridegraph::tools {
 namespace {
