@@ -26,6 +26,12 @@ function coveredLines(json, beginnings) {
   return sum
 }
 
+function shareOf(file, beginnings) {
+  if (!existsSync(file)) return 'not measured'
+  const lines = coveredLines(JSON.parse(readFileSync(file, 'utf8')), beginnings)
+  return `${Math.round((100 * lines.covered) / lines.count)} % of ${lines.count}`
+}
+
 function corpusOf(target) {
   const folder = `tests/fuzz/corpus/${target}`
   const files = readdirSync(folder)
@@ -37,8 +43,7 @@ function row(target, fuzzing, coverage) {
   const results = `${fuzzing}/results/${target}.tsv`
   if (!existsSync(results)) return `| ${target} | not run | | | | | ${corpusOf(target)} |`
   const [seconds, executions, speed, edges, features] = readFileSync(results, 'utf8').trim().split('\t')
-  const lines = coveredLines(JSON.parse(readFileSync(`${coverage}/${target}.json`, 'utf8')), modules[target])
-  const share = `${Math.round((100 * lines.covered) / lines.count)} % of ${lines.count}`
+  const share = shareOf(`${coverage}/${target}.json`, modules[target])
   return (
     `| ${target} | ${seconds} | ${Number(executions).toLocaleString('en')} | ${speed} ` +
     `| ${edges} / ${features} | ${share} | ${corpusOf(target)} |`

@@ -5,11 +5,18 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <ostream>
 #include <vector>
 
 #include "target.h"
 
 namespace stridegraph::fuzz {
+
+/// How GoogleTest shows a target.
+void PrintTo(const Target& target, std::ostream* out) {
+  *out << target.name;
+}
+
 namespace {
 
 std::vector<std::filesystem::path> corpusOf(std::string_view target) {

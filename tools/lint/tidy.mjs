@@ -31,8 +31,9 @@ function scanner() {
   const found = ['clang-scan-deps', 'clang-scan-deps-14'].find(
     (name) => spawnSync(name, ['--help']).error === undefined,
   )
-  if (found === undefined)
-    {throw new Error('clang-scan-deps is not installed. On Debian: apt-get install clang-tools')}
+  if (found === undefined) {
+    throw new Error('clang-scan-deps is not installed. On Debian: apt-get install clang-tools')
+  }
   return found
 }
 

@@ -45,7 +45,7 @@ fuzzOptions() {
 
 # fuzzTarget TARGET: one run, with its log and, in a line, its figures.
 fuzzTarget() {
-  local name=$1 log=$fuzzFolder/$1.log status=0 inputs options
+  local name=$1 log=$fuzzFolder/$1.log status=0 begun=$SECONDS inputs options
   mkdir -p "$fuzzFolder/corpus/$name" "$fuzzFolder/found/$name" "$fuzzFolder/results"
   mapfile -t inputs < <(fuzzInputs "$name")
   mapfile -t options < <(fuzzOptions "$name")
@@ -54,7 +54,7 @@ fuzzTarget() {
   local edges features
   edges=$(figure "$log" '.* cov: ([0-9]+) .*')
   features=$(figure "$log" '.* ft: ([0-9]+) .*')
-  printf '%s\t%s\t%s\t%s\t%s\n' "$fuzzSeconds" "$(figure "$log" 'stat::number_of_executed_units: +([0-9]+)')" \
+  printf '%s\t%s\t%s\t%s\t%s\n' "$((SECONDS - begun))" "$(figure "$log" 'stat::number_of_executed_units: +([0-9]+)')" \
     "$(figure "$log" 'stat::average_exec_per_sec: +([0-9]+)')" "$edges" "$features" >"$fuzzFolder/results/$name.tsv"
   [ "$status" -eq 0 ] || echo "$status" >"$fuzzFolder/results/$name.failed"
 }
