@@ -64,9 +64,10 @@ findMaps() {
   fi
 }
 
+# Without clang-tidy, which takes over half an hour where nothing is known to be clean yet: ./run lint runs it.
 testLint() {
   local status=0
-  lintSources || status=$?
+  lintSources --quick || status=$?
   recordOutcome lint "$status"
 }
 
