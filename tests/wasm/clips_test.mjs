@@ -177,9 +177,9 @@ describe('inspectScene', () => {
   it('names members that have no effect', async () => {
     const { warnings } = engine.inspectScene((await caseBytes('misspelt_members.json')).toString())
     assert.ok(warnings.every(({ topic }) => topic === 'scene'))
-    for (const member of ['heading', 'constraint']) {
+    for (const member of ['start.heading', 'constraint']) {
       assert.ok(
-        warnings.some(({ message }) => message.includes(`"${member}"`)),
+        warnings.some(({ message }) => message.includes(`${member},`)),
         member,
       )
     }
