@@ -26,38 +26,40 @@ async function bytesOf(file) {
 export class FileOpener {
   #bridge
   #library
-  #isBusy = false
+  #underWay = Promise.resolve()
 
   constructor(bridge, library) {
     this.#bridge = bridge
     this.#library = library
   }
 
-  /** Opens what was dropped or chosen; whatever cannot be opened is told of. One call at a time. */
-  async open(files) {
-    if (this.#isBusy) return
-    this.#isBusy = true
+  /** Opens what was dropped or chosen; ends what is still being asked, told or built for earlier files. */
+  open(files) {
+    for (const dialog of document.querySelectorAll('dialog.report')) dialog.close()
+    by('build-cancel').click()
+    this.#underWay = this.#underWay.then(() => this.#openAll(files))
+    return this.#underWay
+  }
+
+  /** Whatever cannot be opened is told of. */
+  async #openAll(files) {
     const problems = []
     const attempt = (work) => work.catch((problem) => problems.push(problem.message))
-    try {
-      const of = (kind) => files.filter((file) => kindOf(file) === kind)
-      for (const { name } of of('other')) {
-        problems.push(`${name}: found another kind of file, expected one that ends in .json, .sgraph or .bvh`)
-      }
-      for (const kind of ['sgraph', 'json']) {
-        for (const { name } of of(kind).slice(1)) {
-          problems.push(`${name}: found a second .${kind} file, expected one`)
-        }
-      }
-      const [libraryFile] = of('sgraph')
-      const [scene] = of('json')
-      if (libraryFile) await attempt(this.#openLibrary(libraryFile))
-      if (of('bvh').length > 0) await attempt(this.#build(of('bvh')))
-      if (scene) await attempt(this.#openScene(scene))
-      if (problems.length > 0) await this.#tell(problems)
-    } finally {
-      this.#isBusy = false
+    const of = (kind) => files.filter((file) => kindOf(file) === kind)
+    for (const { name } of of('other')) {
+      problems.push(`${name}: found another kind of file, expected one that ends in .json, .sgraph or .bvh`)
     }
+    for (const kind of ['sgraph', 'json']) {
+      for (const { name } of of(kind).slice(1)) {
+        problems.push(`${name}: found a second .${kind} file, expected one`)
+      }
+    }
+    const [libraryFile] = of('sgraph')
+    const [scene] = of('json')
+    if (libraryFile) await attempt(this.#openLibrary(libraryFile))
+    if (of('bvh').length > 0) await attempt(this.#build(of('bvh')))
+    if (scene) await attempt(this.#openScene(scene))
+    if (problems.length > 0) await this.#tell(problems)
   }
 
   #tell(messages) {

@@ -6,10 +6,14 @@ const UNITS = [
   { label: 'Centimetres', metres: 0.01 },
   { label: 'Inches', metres: 0.0254 },
   { label: 'Metres', metres: 1 },
+  { label: 'Decimetres', metres: 0.1 },
+  { label: 'Feet', metres: 0.3048 },
   { label: 'Millimetres', metres: 0.001 },
   { label: 'CMU units of 5.64 cm', metres: 0.0254 / 0.45 },
 ]
 const USUAL_HEIGHT_METRES = 1.7
+/** Units that make a body so much larger or smaller than a person are not offered. */
+const MOST_ODDNESS = Math.log(6)
 const MOST_NAMED = 3
 const SHORTEST_METRES = 0.1
 const TALLEST_METRES = 100
@@ -86,7 +90,9 @@ class Question {
   #unitFields() {
     const guess = 1 / this.#clips[0].unitsPerMetre
     const [height] = this.#fileHeights()
-    const known = UNITS.filter(({ metres }) => !isSame(metres, guess))
+    const known = UNITS.filter(
+      ({ metres }) => !isSame(metres, guess) && oddness(metres * height) < MOST_ODDNESS,
+    )
     known.sort((a, b) => oddness(a.metres * height) - oddness(b.metres * height))
     const named = UNITS.find(({ metres }) => isSame(metres, guess))
     const guessed = { label: named?.label ?? `Units of ${rounded(guess * 100)} cm`, metres: guess }

@@ -1,5 +1,6 @@
 #include "clip_reader.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -26,6 +27,12 @@ val doubtsOf(const BvhConfidence& confidence) {
   return doubts;
 }
 
+/// As bodies are measured to tell their unit.
+double heightOf(const BvhDocument& document) {
+  const BodyExtents extents = measureExtents(document.skeleton, document.clip);
+  return std::max(extents.posed.y(), extents.rest.y());
+}
+
 val inspectionValue(const BvhDocument& document) {
   const Clip& clip = document.clip;
   const auto frames = static_cast<double>(clip.frameCount());
@@ -40,7 +47,7 @@ val inspectionValue(const BvhDocument& document) {
   value.set("up", std::string(document.layout.up == UpAxis::kY ? "y" : "z"));
   value.set("upConfidence", document.confidence.up);
   value.set("doubts", doubtsOf(document.confidence));
-  value.set("heightMetres", measureExtents(document.skeleton, clip).posed.y());
+  value.set("heightMetres", heightOf(document));
   value.set("warnings", warningList(document.warnings));
   return value;
 }

@@ -334,7 +334,7 @@ export interface ClipInspection {
   upConfidence: number
   /** What was guessed so unsurely that a person should be asked; the topics of the warnings about it. */
   doubts: ('unit' | 'up_axis')[]
-  /** From the lowest joint to the highest as the body stands most of the time, metres. */
+  /** From the lowest joint to the highest, most of the time or with all joints at rest, whichever is more; metres. */
   heightMetres: number
   warnings: Warning[]
 }

@@ -1,7 +1,7 @@
 // Small inputs that stand for kinds of faults (tests/data/cases), each dropped on the page: its right result.
 import assert from 'node:assert/strict'
 import { readFile } from 'node:fs/promises'
-import { after, before, describe, it } from 'node:test'
+import { after, afterEach, before, describe, it } from 'node:test'
 import { Visit, startBrowser } from './page_driver.mjs'
 
 const folder = new URL('../data/cases/', import.meta.url)
@@ -31,6 +31,10 @@ before(async () => {
   visit = await Visit.start(server)
   await visit.untilPlanned()
 })
+// What a failed test leaves open is not the next one's.
+afterEach(() =>
+  visit.page.evaluate(() => document.querySelectorAll('dialog.report').forEach((dialog) => dialog.close())),
+)
 after(async () => {
   await visit?.end()
   await server?.stop()
@@ -118,8 +122,8 @@ describe('scenes that are dropped', () => {
   it('with misspelt members show a note for each', async () => {
     await visit.drop([await caseFile('misspelt_members.json')])
     const text = await visit.dialogText('notes-dialog')
-    assert.match(text, /"heading"/)
-    assert.match(text, /"constraint"/)
+    assert.match(text, /line 1.*start\.heading\b.*heading_deg/)
+    assert.match(text, /line 1.*constraint\b.*constraints/)
     await visit.screenshot('scene_notes')
     await visit.answer('notes-dialog', 'Done')
     const { scene } = await visit.untilPlanned()
@@ -128,9 +132,7 @@ describe('scenes that are dropped', () => {
 
   it('with walkers that start in one another name both and their distance', async () => {
     const { sentence } = await dropScene(await caseFile('two_start_too_near.json'))
-    assert.match(sentence, /walker 1/i)
-    assert.match(sentence, /walker 4/i)
-    assert.match(sentence, /0\.5\d* m/)
+    assert.match(sentence, /^Walkers 1 and 4 .*0\.5\d* m/)
   })
 
   it('give a GLB whose neighbouring keys never lie on opposite sides', async () => {
@@ -185,9 +187,15 @@ describe('clips that are dropped', () => {
   walkAsStraight('end_sites_with_names.bvh', [])
   walkAsStraight('root_that_stays.bvh', ['travel'])
   walkAsStraight('root_without_channels.bvh', ['travel'])
-  walkAsStraight('zeros_in_position_channels.bvh', ['skeleton'])
   walkAsStraight('one_frame_more.bvh', ['rows'])
   walkAsStraight('utf16.bvh', [])
+  it('keep the OFFSETs of joints whose position channels are all 0', async () => {
+    const { notes, state } = await dropClip('zeros_in_position_channels.bvh')
+    assert.ok(topicsOf(notes).includes('skeleton'))
+    assert.equal(state.plan.status, 'arrived')
+    assert.ok(Math.abs(state.root[1] - straight.state.root[1]) < 0.02)
+  })
+
   walkAsStraight('latin1_names.bvh', ['text'])
 
   it('with names in Latin-1 give files in UTF-8', async () => {

@@ -48,7 +48,9 @@ std::string sentenceForAll(const AppState& state) {
   std::string note;
   for (std::size_t walker = 0; const Plan* const each = state.planOf(walker); ++walker) {
     const PlanReport& report = each->report;
-    const std::string said = fmt::format("Walker {}: {}", walker + 1, sentenceOf(report.explanation));
+    const std::string sentence = sentenceOf(report.explanation);
+    const bool namesWalkers = sentence.starts_with("Walkers ");
+    const std::string said = namesWalkers ? sentence : fmt::format("Walker {}: {}", walker + 1, sentence);
     if (report.status != PlanStatus::kArrived) return said;
     if (note.empty() && !report.explanation.empty()) note = said;
   }
