@@ -23,9 +23,9 @@ class ClipIntake {
   /// Begins with the clips of a library that has the same params.
   explicit ClipIntake(MotionLibrary base);
 
-  /// Takes in a clip, or what is left of it without its glitches, and brings it to the first clip's floor if
-  /// it lies more than a centimetre off. Frames that a clip shows already are left out. Says so in
-  /// `warnings`.
+  /// Cuts a clip at its glitches and takes in the pieces. A piece whose floor lies more than a centimetre off
+  /// that of the first clip is moved to it. Frames that a clip shows already are left out. Each of these
+  /// changes is a warning in `warnings`.
   void add(const Clip& clip, Warnings& warnings);
   /// Once all clips are in; fails as findMirrorMap() does.
   Result<void> findMirror();

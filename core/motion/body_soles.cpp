@@ -149,7 +149,7 @@ void fitSoles(const BodyAnatomy& body, std::vector<BodyPart>& parts) {
     fitEnd(body, legs, part.from);
     fitEnd(body, legs, part.to);
   }
-  // Feet of captures do not come down to the same height: what is left of that is made up for on the whole.
+  // Captured feet rest at slightly different heights. All legs together take up the mean difference.
   const double rest = heightOver(legs, body, parts);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (body.limb[parts[i].from.joint.value] != Limb::kLeg) continue;

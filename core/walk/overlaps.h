@@ -28,10 +28,10 @@ struct Overlaps {
   double radiusMetres = 0.4;
   double goalRadiusMetres = 0.1;
 
-  /// For each walker why it is refused, if it is. Bodies that begin nearer to each other than they may walk
-  /// (twice the radius and Traffic's margin) are refused all, as is who begins within a moving obstacle. Of
-  /// those whose goals are nearer to each other than bodies stand, less the goal radius, the first one may
-  /// go. A sentence names all whom a walker is too near to, by their numbers, from 1.
+  /// For each walker the reason why it is refused; empty for those that may go. Walkers that start nearer to
+  /// each other than twice the radius and Traffic's margin are all refused, and so is a walker that starts
+  /// within a moving obstacle. Of walkers whose goals overlap, less the goal radius, the first one may go. A
+  /// reason names every walker that is too near, by its number from 1.
   std::vector<std::optional<Refusal>> refusals(const std::vector<Beginner>& walkers) const;
 };
 
