@@ -67,7 +67,7 @@ export class LibraryView {
   show() {
     const library = this.#bridge.library()
     const { notes, license } = library
-    const heading = notes.length === 0 ? 'No notes on its files.' : 'What was odd about its files:'
+    const heading = `${notes.length === 0 ? 'No notes' : counted(notes.length, 'note', 'notes')} on its files and its graph`
     const list = notesList(notes)
     const body = element('div', {}, element('h3', { text: heading }), list, clipsList(library))
     if (license) body.append(element('p', { className: 'license', text: license }))
