@@ -328,7 +328,7 @@ class SteppedWalk {
     walk_.clip.append(pose.view());
     walk_.contacts.push_back(static_cast<ContactMask>(contacts));
     walk_.frameKinds.push_back(down ? EdgeKind::kClipPiece : EdgeKind::kTransition);
-    walk_.accelerations.push_back(Vec2::Zero());
+    walk_.accelerations.emplace_back(Vec2::Zero());
   }
 
   const MotionLibrary& library_;
