@@ -8,6 +8,7 @@
 #include "motion/body_evidence.h"
 #include "motion/bvh_channels.h"
 #include "motion/bvh_conventions.h"
+#include "motion/bvh_limits.h"
 #include "motion/bvh_still_part.h"
 #include "motion/file_unit.h"
 #include "motion/position_channels.h"
@@ -17,7 +18,6 @@
 namespace stridegraph {
 namespace {
 
-constexpr std::size_t kMostRotations = 20'000'000;
 /// A joint whose distance from its parent changes by less only shakes by rounding or marker noise.
 constexpr double kStillMetres = 0.005;
 
@@ -112,10 +112,10 @@ void inferConventions(const BvhReadParams& params, BvhDocument& document, Warnin
 
 Result<BvhDocument> interpretBvh(BvhHierarchy hierarchy, BvhMotion motion, std::string_view name,
                                  const BvhReadParams& params) {
-  if (motion.frameCount > kMostRotations / hierarchy.joints.size()) {
+  if (motion.frameCount > kMostBvhRotations / hierarchy.joints.size()) {
     return fail(ErrorCode::kBvhValue,
                 fmt::format("found {} frames of {} joints, expected at most {} rotations in all",
-                            motion.frameCount, hierarchy.joints.size(), kMostRotations),
+                            motion.frameCount, hierarchy.joints.size(), kMostBvhRotations),
                 {std::string(name)});
   }
   BvhDocument document;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/check.h"
+#include "motion/bvh_channels.h"
 #include "motion/bvh_conventions.h"
 #include "motion/bvh_euler_track.h"
 #include "motion/bvh_still_part.h"
@@ -35,10 +36,6 @@ std::string bvhName(std::string_view name, std::string_view fallback) {
   for (char& c : safe)
     if (c == '{' || c == '}') c = '_';
   return safe;
-}
-
-bool isPosition(BvhChannel channel) {
-  return channel <= BvhChannel::kZPosition;
 }
 
 constexpr std::array<std::string_view, 6> kChannelNames = {"Xposition", "Yposition", "Zposition",
