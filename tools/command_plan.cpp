@@ -14,6 +14,7 @@
 #include "program/progress.h"
 #include "program/shown_text.h"
 #include "scene/scene_json.h"
+#include "scene/scene_limits.h"
 #include "walk/walk_planner.h"
 #include "walk_files.h"
 #include "wall_clock.h"
@@ -39,7 +40,7 @@ std::vector<NamedPath> outputsOf(const PlanArguments& arguments, std::size_t wal
 }
 
 Result<Scene> readScene(const PlanArguments& arguments, Warnings& notes) {
-  auto text = readFile(arguments.scenePath, kMostSceneFileBytes);
+  auto text = readFile(arguments.scenePath, kMostSceneBytes);
   if (!text) return fail(std::move(text));
   return readSceneJson(*text, shownText(arguments.scenePath), &notes);
 }

@@ -8,6 +8,7 @@
 #include "program/files.h"
 #include "program/shown_text.h"
 #include "scene/scene_json.h"
+#include "scene/scene_limits.h"
 
 namespace stridegraph::tools {
 
@@ -24,7 +25,7 @@ Result<std::vector<SceneFile>> readSceneFolder(const std::string& folder, Warnin
   std::sort(paths.begin(), paths.end());
   std::vector<SceneFile> scenes;
   for (const std::filesystem::path& path : paths) {
-    auto text = readFile(path.string(), kMostSceneFileBytes);
+    auto text = readFile(path.string(), kMostSceneBytes);
     if (!text) return fail(std::move(text));
     auto scene = readSceneJson(*text, shownText(path.string()), notes);
     if (!scene) return fail(std::move(scene));

@@ -11,7 +11,6 @@ namespace stridegraph::tools {
 
 /// The largest files that are read; larger ones are refused before memory is taken for them.
 inline constexpr std::uint64_t kMostLibraryBytes = (std::uint64_t{1} << 31U) - 1;
-inline constexpr std::uint64_t kMostSceneFileBytes = std::uint64_t{16} << 20U;
 inline constexpr std::uint64_t kMostReportBytes = std::uint64_t{1} << 30U;
 
 /// For how long a pipe may give nothing before it is given up.

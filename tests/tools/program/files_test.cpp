@@ -10,6 +10,7 @@
 #include "base/utf8.h"
 #include "program/descriptor.h"
 #include "program/output_files.h"
+#include "scene/scene_limits.h"
 #include "test_folder.h"
 
 namespace stridegraph::tools {
@@ -73,7 +74,7 @@ TEST_F(Files, areRefusedUnreadWhereTheyAreTooLarge) {
   ASSERT_TRUE(writeFile(in("large"), "x"));
   std::filesystem::resize_file(folder_ / "large", std::uintmax_t{1} << 40U);
   EXPECT_EQ(refusal(in("large")), "found 1 TiB, expected at most 1 GiB");
-  EXPECT_EQ(refusal(in("large"), kMostSceneFileBytes), "found 1 TiB, expected at most 16 MiB");
+  EXPECT_EQ(refusal(in("large"), kMostSceneBytes), "found 1 TiB, expected at most 16 MiB");
 }
 
 TEST_F(Files, thatFailWhenTheyAreReadSaySo) {
